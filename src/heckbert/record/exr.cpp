@@ -1,0 +1,116 @@
+#include <heckbert/record/exr.h>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfTestFile.h>
+#include <OpenEXR/ImfThreading.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <fstream>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace heckbert::record::exr {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, std::string RenderInfo::*>, 3> kTexts{{
+    {"heckbert.scene", &RenderInfo::scene},
+    {"heckbert.algorithm", &RenderInfo::algorithm},
+    {"heckbert.version", &RenderInfo::version},
+}};
+constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{
+    {"heckbert.samples_per_pixel", &RenderInfo::samples_per_pixel},
+    {"heckbert.max_depth", &RenderInfo::max_depth},
+}};
+constexpr const char* kSeed = "heckbert.seed";  // as text: OpenEXR has no 64-bit attribute
+constexpr const char* kPartial = "heckbert.partial";
+
+struct ColourChannel {
+  const char* name;
+  std::size_t offset;
+};
+constexpr std::array<ColourChannel, 3> kColourChannels{
+    {{"R", offsetof(Rgb, r)}, {"G", offsetof(Rgb, g)}, {"B", offsetof(Rgb, b)}}};
+
+}  // namespace
+
+int threads() {
+  static const bool is_pool_ready = [] {
+    if (Imf::globalThreadCount() == 0)
+      Imf::setGlobalThreadCount(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    return true;
+  }();
+  return is_pool_ready ? Imf::globalThreadCount() : 0;
+}
+
+Window window_of(const Imath::Box2i& box) {
+  return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
+}
+Imath::Box2i box_of(const Window& window) {
+  return {{window.x0, window.y0}, {window.x1 - 1, window.y1 - 1}};
+}
+
+Imf::Header header_for(const RenderInfo& info) {
+  Imf::Header header(box_of({0, 0, info.width, info.height}), box_of(info.window));
+  for (const auto& [name, field] : kTexts) header.insert(name, Imf::StringAttribute(info.*field));
+  for (const auto& [name, field] : kNumbers) header.insert(name, Imf::IntAttribute(info.*field));
+  header.insert(kSeed, Imf::StringAttribute(std::to_string(info.seed)));
+  header.insert(kPartial, Imf::IntAttribute(info.partial ? 1 : 0));
+  return header;
+}
+
+RenderInfo info_of(const Imf::Header& header) {
+  RenderInfo info;
+  const Window picture = window_of(header.displayWindow());
+  info.width = picture.width();
+  info.height = picture.height();
+  info.window = window_of(header.dataWindow());
+  for (const auto& [name, field] : kTexts) info.*field = attribute<Imf::StringAttribute>(header, name);
+  for (const auto& [name, field] : kNumbers) info.*field = attribute<Imf::IntAttribute>(header, name);
+  info.seed = parse_number(attribute<Imf::StringAttribute>(header, kSeed), kSeed);
+  info.partial = attribute<Imf::IntAttribute>(header, kPartial) != 0;
+  return info;
+}
+
+std::uint64_t parse_number(const std::string& digits, const std::string& name) {
+  std::uint64_t value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (error != std::errc() || stop != end)
+    throw std::runtime_error(fmt::format("the header attribute '{}' is '{}', not a whole number", name, digits));
+  return value;
+}
+
+void insert_rgb(Imf::FrameBuffer& frame, const std::string& prefix, const Rgb* pixels, const Window& window) {
+  const Imath::Box2i box = box_of(window);
+  for (const ColourChannel& channel : kColourChannels) {
+    const char* first = reinterpret_cast<const char*>(pixels) + channel.offset;
+    frame.insert(prefix + channel.name, Imf::Slice::Make(Imf::FLOAT, first, box, sizeof(Rgb)));
+  }
+}
+
+void insert_rgb(Imf::ChannelList& channels, const std::string& prefix) {
+  for (const ColourChannel& channel : kColourChannels) channels.insert(prefix + channel.name, Imf::Channel(Imf::FLOAT));
+}
+
+bool can_unpack_to(std::uint64_t unpacked_bytes, std::uint64_t file_bytes) {
+  constexpr std::uint64_t kMostDeflated = 1032;
+  return unpacked_bytes / kMostDeflated <= file_bytes;
+}
+
+std::uint64_t check_is_exr(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) throw std::runtime_error(std::generic_category().message(EISDIR));
+  errno = 0;
+  if (!std::ifstream(path, std::ios::binary)) throw std::runtime_error(std::generic_category().message(errno));
+  if (!Imf::isOpenExrFile(path.c_str())) throw std::runtime_error("this is not an OpenEXR file");
+  return std::filesystem::file_size(path);
+}
+
+}  // namespace heckbert::record::exr

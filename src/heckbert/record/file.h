@@ -1,0 +1,46 @@
+#pragma once
+// Records and pictures on disk, as OpenEXR.
+//
+// A record is a multi-part file. Its first part, "paths", is a deep scan-line image: per pixel one deep sample per
+// word, with channels id (uint), R, G, B (float), count (uint), and A = 0 (half), Z = 0 (float) so that flattening adds
+// the samples up to the beauty. The id manifest gives every id its word as taxonomy::fine() spells it; attributes
+// "heckbert.*" hold the rest, "heckbert.record" the version of this layout. Light that no path carries follows as flat
+// parts "ambient" and "phantom" when there is any. Any OpenEXR reader can recover all of it.
+//
+// Files are written beside their target and renamed, so a failure never leaves half a file (atomic_file.h).
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <heckbert/record/record.h>
+
+namespace heckbert::record {
+
+/// Errors: WriteError with the path and the system's reason.
+void write_record(const Record& record, const std::filesystem::path& path);
+/// What write_record wrote, exactly; everything in the file is checked before it is believed.
+/// Errors: ReadError saying what the file is instead, or where it is torn.
+Record read_record(const std::filesystem::path& path);
+
+/// One named picture of a flat multi-layer EXR. The layer with an empty name is the unprefixed R, G, B.
+struct Layer {
+  std::string name;  ///< a legal channel prefix; see layer_name()
+  Image image;
+  std::map<std::string, std::string> attributes;  ///< written as header attributes "<name>.<key>"
+};
+
+/// Floats, bit for bit. All layers share the window `info.window`; names are distinct. Errors: WriteError.
+void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, const std::filesystem::path& path);
+
+/// Reads the layers of a flat EXR, those with channels R, G and B: the unnamed one first, then by name.
+/// Errors: ReadError.
+std::vector<Layer> read_layers(const std::filesystem::path& path);
+
+/// A channel prefix made of `text`: its letters, digits and underscores, everything else turned into '_' ("LS+DE" gives
+/// "LS_DE"), never starting with a digit, with a number appended while the name is among those `taken`.
+std::string layer_name(std::string_view text, const std::vector<std::string>& taken = {});
+
+}  // namespace heckbert::record

@@ -1,0 +1,113 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <algorithm>
+#include <set>
+
+#include <heckbert/record/atomic_file.h>
+#include <heckbert/record/exr.h>
+#include <heckbert/record/file.h>
+
+namespace heckbert::record {
+
+namespace {
+
+std::string prefix_of(const std::string& layer) {
+  return layer.empty() ? "" : layer + ".";
+}
+
+/// "<name>.", also for the unnamed layer, so that no attribute of a layer meets one of OpenEXR's own.
+std::string attribute_prefix(const std::string& layer) {
+  return layer + ".";
+}
+
+/// Names of the layers that have all of R, G and B, the unnamed one first.
+std::set<std::string> colour_layers(const Imf::ChannelList& channels) {
+  std::set<std::string> names;
+  for (auto i = channels.begin(); i != channels.end(); ++i) {
+    const std::string channel = i.name();
+    const std::size_t dot = channel.rfind('.');
+    const std::string layer = dot == std::string::npos ? "" : channel.substr(0, dot);
+    const auto has = [&](const char* colour) { return channels.findChannel(prefix_of(layer) + colour) != nullptr; };
+    if (has("R") && has("G") && has("B")) names.insert(layer);
+  }
+  return names;
+}
+
+std::map<std::string, std::string> attributes_of(const Imf::Header& header, const std::string& layer) {
+  const std::string prefix = attribute_prefix(layer);
+  std::map<std::string, std::string> attributes;
+  for (auto i = header.begin(); i != header.end(); ++i) {
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
+    const std::string name = i.name();
+    if (text != nullptr && name.starts_with(prefix)) attributes[name.substr(prefix.size())] = text->value();
+  }
+  return attributes;
+}
+
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+}  // namespace
+
+void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, const std::filesystem::path& path) {
+  exr::writing(path, [&] {
+    Imf::Header header = exr::header_for(info);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer frame;
+    for (const Layer& layer : layers) {
+      exr::insert_rgb(header.channels(), prefix_of(layer.name));
+      exr::insert_rgb(frame, prefix_of(layer.name), layer.image.pixels.data(), info.window);
+      for (const auto& [key, value] : layer.attributes)
+        header.insert(attribute_prefix(layer.name) + key, Imf::StringAttribute(value));
+    }
+    AtomicFile target(path);
+    {
+      Imf::OutputFile file(target.temporary().c_str(), header, exr::threads());
+      file.setFrameBuffer(frame);
+      file.writePixels(info.window.height());
+    }
+    target.commit();
+  });
+}
+
+std::vector<Layer> read_layers(const std::filesystem::path& path) {
+  return exr::reading(path, [&] {
+    exr::check_is_exr(path);
+    Imf::InputFile file(path.c_str(), exr::threads());
+    const Imf::Header& header = file.header();
+    if (header.hasType() && !Imf::isImage(header.type()))
+      throw std::runtime_error("this is a deep EXR; expected a flat one with channels R, G and B");
+    if (!file.isComplete()) throw std::runtime_error("the file is incomplete: scan lines are missing");
+    const std::set<std::string> names = colour_layers(header.channels());
+    if (names.empty()) throw std::runtime_error("this EXR has no layer with channels R, G and B");
+
+    const Window window = exr::window_of(header.dataWindow());
+    std::vector<Layer> layers;
+    Imf::FrameBuffer frame;
+    for (const std::string& name : names) {
+      layers.push_back({name, {window, std::vector<Rgb>(window.pixel_count())}, attributes_of(header, name)});
+      exr::insert_rgb(frame, prefix_of(name), layers.back().image.pixels.data(), window);
+    }
+    file.setFrameBuffer(frame);
+    file.readPixels(window.y0, window.y1 - 1);
+    return layers;
+  });
+}
+
+std::string layer_name(std::string_view text, const std::vector<std::string>& taken) {
+  std::string name(text);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !is_name_character(c); }, '_');
+  if (name.empty() || (name.front() >= '0' && name.front() <= '9')) name.insert(name.begin(), '_');
+  const std::string stem = name;
+  for (int number = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++number)
+    name = fmt::format("{}_{}", stem, number);
+  return name;
+}
+
+}  // namespace heckbert::record

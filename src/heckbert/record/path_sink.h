@@ -1,0 +1,47 @@
+#pragma once
+// Where a tracer puts what it found. This is the whole interface between tracing and recording: another renderer can
+// feed a record through it. One sink serves one thread; it owns the trie in which that thread's words grow.
+//
+// The order of calls is begin_sample, then any number of add, add_non_path and end_path, then the next begin_sample.
+// All samples of a pixel arrive together.
+
+#include <cstdint>
+
+#include <heckbert/record/rgb.h>
+#include <heckbert/taxonomy/word_trie.h>
+
+namespace heckbert::record {
+
+/// How a path was found.
+enum class Technique : std::uint8_t { Hit, NextEvent };
+
+/// Light that no path carries: the ambient term, and the lecture's mirror ray continued at a diffuse surface.
+enum class NonPath : std::uint8_t { Ambient, Phantom };
+
+/// Why a walk from the eye stopped.
+enum class PathEnd : std::uint8_t { Escaped, Absorbed, DepthLimit, Roulette };
+
+/// One finished path's value at one pixel: L f G / p with every weight applied; radiance per channel, for one sample
+/// (not yet divided by the number of samples).
+struct Contribution {
+  taxonomy::WordTrie::Node word = 0;  ///< a finished word of the sink's own trie
+  Rgb value;
+  Technique technique = Technique::Hit;
+};
+
+class PathSink {
+ public:
+  virtual ~PathSink() = default;
+  virtual void begin_sample(int x, int y, int sample) = 0;
+  /// NaN, infinite and negative values are counted as rejected, never added.
+  virtual void add(const Contribution& contribution) = 0;
+  virtual void add_non_path(NonPath buffer, Rgb value) = 0;
+  virtual void end_path(PathEnd end) = 0;
+
+  taxonomy::WordTrie& words() { return words_; }
+
+ private:
+  taxonomy::WordTrie words_;
+};
+
+}  // namespace heckbert::record

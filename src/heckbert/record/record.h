@@ -1,0 +1,122 @@
+#pragma once
+// The record: energy and count by pixel and word; what a render leaves behind and every later question is answered
+// from. Sparse and exact (design decision 4): a pixel holds only the words that were found there.
+//
+// Beauty is the sum of the words in the order of the word list, added in double and rounded once (design decision 5),
+// and so is the image of any language.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <heckbert/record/rgb.h>
+#include <heckbert/taxonomy/glossy_rule.h>
+#include <heckbert/taxonomy/language.h>
+#include <heckbert/taxonomy/word.h>
+
+namespace heckbert::record {
+
+/// Pixels [x0, x1) x [y0, y1) of a picture, y downwards.
+struct Window {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  std::size_t pixel_count() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()); }
+  bool operator==(const Window&) const = default;
+};
+
+/// What was rendered and how; stored in the file's header.
+struct RenderInfo {
+  std::string scene;      ///< file or built-in name
+  std::string algorithm;  ///< "path", "whitted", ...
+  int width = 0, height = 0;
+  Window window;  ///< the part that was rendered; the whole picture unless cropped
+  int samples_per_pixel = 0;
+  std::uint64_t seed = 0;
+  int max_depth = 0;     ///< most scatterings per path
+  bool partial = false;  ///< interrupted: some pixels have no samples
+  std::string version;   ///< of the tool
+  bool operator==(const RenderInfo&) const = default;
+};
+
+/// What happened to the walks; every sample that was not recorded is counted here.
+struct Tally {
+  std::uint64_t samples = 0;                ///< camera samples begun
+  std::uint64_t hits = 0, next_events = 0;  ///< contributions, by technique
+  std::uint64_t escaped = 0, absorbed = 0, depth_limited = 0, roulette = 0;
+  std::uint64_t rejected_not_finite = 0, rejected_negative = 0;
+  Tally& operator+=(const Tally& other);
+  bool operator==(const Tally&) const = default;
+};
+
+struct TallyFacts {
+  std::string_view name;  ///< as in file headers and JSON
+  std::uint64_t Tally::*field;
+};
+
+inline constexpr std::array<TallyFacts, 9> kTallyFields{{
+    {"samples", &Tally::samples},
+    {"hits", &Tally::hits},
+    {"next_events", &Tally::next_events},
+    {"escaped", &Tally::escaped},
+    {"absorbed", &Tally::absorbed},
+    {"depth_limited", &Tally::depth_limited},
+    {"roulette", &Tally::roulette},
+    {"rejected_not_finite", &Tally::rejected_not_finite},
+    {"rejected_negative", &Tally::rejected_negative},
+}};
+
+/// Number of batches that the samples of every pixel are dealt into; interval estimates come from their spread.
+inline constexpr int kBatches = 32;
+
+/// The batch of a sample: consecutive samples share one, and with fewer samples than batches each has its own.
+int batch_of(int sample, int samples_per_pixel);
+/// How many batches are in use: min(kBatches, samples_per_pixel).
+int batch_count(int samples_per_pixel);
+/// How many samples of a pixel fall into each batch; they differ by one at most. Their sum is samples_per_pixel.
+std::array<int, kBatches> batch_sizes(int samples_per_pixel);
+
+struct Entry {
+  std::uint32_t word = 0;   ///< index into Record::words
+  Rgb energy;               ///< mean over the pixel's samples
+  std::uint32_t count = 0;  ///< contributions
+  bool operator==(const Entry&) const = default;
+};
+
+struct Record {
+  RenderInfo info;
+  Tally tally;
+  std::vector<taxonomy::Word> words;  ///< sorted, distinct, each present in some entry
+  std::vector<std::size_t> offsets;   ///< pixel i of the window, row by row, has entries [offsets[i], offsets[i+1])
+  std::vector<Entry> entries;         ///< within a pixel sorted by word
+  /// Per word and batch, the picture mean of the energy estimated from that batch alone; shape words x kBatches,
+  /// row by row. Batches not in use are zero. The mean is over all pixels of the window: in a partial render the
+  /// pixels without samples count as black.
+  std::vector<Rgb> batch_means;
+  std::vector<Rgb> ambient, phantom;  ///< non-path light, mean over samples, one per pixel; empty when never added
+  bool operator==(const Record&) const = default;
+
+  std::span<const Entry> pixel(int x, int y) const;  ///< x, y in picture coordinates, inside info.window
+};
+
+/// A picture over a window, row by row.
+struct Image {
+  Window window;
+  std::vector<Rgb> pixels;
+  Rgb at(int x, int y) const;
+};
+
+/// By word of the record: is it in the language? `rule` says what the language's letters mean for glossy events.
+std::vector<bool> members(const Record& record, const taxonomy::Language& language,
+                          taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
+
+/// The sum of all words at every pixel. O(entries).
+Image beauty(const Record& record);
+/// The sum of the chosen words at every pixel, in the same order of addition as beauty(). `chosen` is by word.
+Image image_of(const Record& record, const std::vector<bool>& chosen);
+
+}  // namespace heckbert::record

@@ -1,0 +1,339 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDeepFrameBuffer.h>
+#include <OpenEXR/ImfDeepScanLineInputPart.h>
+#include <OpenEXR/ImfDeepScanLineOutputPart.h>
+#include <OpenEXR/ImfFloatVectorAttribute.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <heckbert/record/atomic_file.h>
+#include <heckbert/record/exr.h>
+#include <heckbert/record/file.h>
+
+namespace heckbert::record {
+
+namespace {
+
+constexpr int kLayoutVersion = 1;
+constexpr const char* kLayout = "heckbert.record";
+constexpr const char* kBatchMeans = "heckbert.batch_means";
+constexpr const char* kPathsPart = "paths";
+constexpr const char* kIdChannel = "id";
+
+std::string tally_name(const TallyFacts& facts) {
+  return fmt::format("heckbert.tally.{}", facts.name);
+}
+
+struct EntryChannel {
+  const char* name;
+  Imf::PixelType type;
+  std::size_t offset;  // within Entry
+};
+constexpr std::array<EntryChannel, 5> kEntryChannels{{
+    {kIdChannel, Imf::UINT, offsetof(Entry, word)},
+    {"R", Imf::FLOAT, offsetof(Entry, energy) + offsetof(Rgb, r)},
+    {"G", Imf::FLOAT, offsetof(Entry, energy) + offsetof(Rgb, g)},
+    {"B", Imf::FLOAT, offsetof(Entry, energy) + offsetof(Rgb, b)},
+    {"count", Imf::UINT, offsetof(Entry, count)},
+}};
+constexpr std::array<std::pair<const char*, Imf::PixelType>, 2> kZeroChannels{{{"A", Imf::HALF}, {"Z", Imf::FLOAT}}};
+constexpr std::uint64_t kBytesPerEntry = 5 * 4 + 2 + 4;
+
+struct NonPathPart {
+  const char* name;
+  std::vector<Rgb> Record::*buffer;
+};
+constexpr std::array<NonPathPart, 2> kNonPathParts{{{"ambient", &Record::ambient}, {"phantom", &Record::phantom}}};
+
+/// Lines handed to OpenEXR at a time: enough to keep its threads busy, few enough that the pointers stay small.
+constexpr int kBlockLines = 64;
+
+template <class F>
+void for_each_block(const Window& window, F act) {
+  for (int y0 = window.y0; y0 < window.y1; y0 += kBlockLines) act(y0, std::min(y0 + kBlockLines, window.y1));
+}
+
+/// The base address that OpenEXR wants, from which x and y count: the one of pixel (0, 0), wherever the window starts.
+template <class T>
+char* base_of(T* first, int x0, int y0, int width) {
+  const std::ptrdiff_t pixels = static_cast<std::ptrdiff_t>(y0) * width + x0;
+  return reinterpret_cast<char*>(first) - pixels * static_cast<std::ptrdiff_t>(sizeof(T));
+}
+
+/// Lets OpenEXR write from and read into the entries in place, a block of lines at a time.
+class EntryFrame {
+ public:
+  EntryFrame(const Window& window, const std::vector<std::size_t>& offsets, Entry* entries)
+      : window_(window), offsets_(offsets), entries_(entries) {}
+
+  /// The frame buffer for lines [y0, y1); `counts` are those of the whole window.
+  Imf::DeepFrameBuffer lines(int y0, int y1, unsigned* counts) {
+    const auto width = static_cast<std::size_t>(window_.width());
+    const std::size_t first = static_cast<std::size_t>(y0 - window_.y0) * width;
+    const std::size_t pixels = static_cast<std::size_t>(y1 - y0) * width;
+    Imf::DeepFrameBuffer frame;
+    frame.insertSampleCountSlice(count_slice(window_, counts));
+    for (std::size_t c = 0; c < kEntryChannels.size(); ++c) {
+      pointers_[c].resize(pixels);
+      for (std::size_t i = 0; i < pixels; ++i)
+        pointers_[c][i] = reinterpret_cast<char*>(entries_ + offsets_[first + i]) + kEntryChannels[c].offset;
+      frame.insert(kEntryChannels[c].name,
+                   Imf::DeepSlice(kEntryChannels[c].type, base_of(pointers_[c].data(), window_.x0, y0, window_.width()),
+                                  sizeof(char*), sizeof(char*) * width, sizeof(Entry)));
+    }
+    return frame;
+  }
+
+  static Imf::Slice count_slice(const Window& window, unsigned* counts) {
+    return {Imf::UINT, base_of(counts, window.x0, window.y0, window.width()), sizeof(unsigned),
+            sizeof(unsigned) * static_cast<std::size_t>(window.width())};
+  }
+
+ private:
+  Window window_;
+  const std::vector<std::size_t>& offsets_;
+  Entry* entries_;
+  std::array<std::vector<char*>, kEntryChannels.size()> pointers_;
+};
+
+// Writing.
+
+Imf::IDManifest manifest_of(const std::vector<taxonomy::Word>& words) {
+  Imf::IDManifest manifest;
+  Imf::IDManifest::ChannelGroupManifest& group = manifest.add(kIdChannel);
+  group.setComponent("word");
+  group.setLifetime(Imf::IDManifest::LIFETIME_FRAME);
+  group.setHashScheme(Imf::IDManifest::NOTHASHED);
+  group.setEncodingScheme(Imf::IDManifest::ID_SCHEME);
+  for (std::size_t w = 0; w < words.size(); ++w) group.insert(w, taxonomy::fine(words[w]));
+  return manifest;
+}
+
+Imf::Header paths_header(const Record& record) {
+  Imf::Header header = exr::header_for(record.info);
+  header.setName(kPathsPart);
+  header.setType(Imf::DEEPSCANLINE);
+  header.compression() = Imf::ZIPS_COMPRESSION;
+  for (const EntryChannel& channel : kEntryChannels) header.channels().insert(channel.name, Imf::Channel(channel.type));
+  for (const auto& [name, type] : kZeroChannels) header.channels().insert(name, Imf::Channel(type));
+  header.insert(kLayout, Imf::IntAttribute(kLayoutVersion));
+  Imf::addIDManifest(header, manifest_of(record.words));
+  for (const TallyFacts& facts : kTallyFields)
+    header.insert(tally_name(facts), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
+  Imf::FloatVector means;
+  means.reserve(3 * record.batch_means.size());
+  for (const Rgb& mean : record.batch_means) means.insert(means.end(), {mean.r, mean.g, mean.b});
+  header.insert(kBatchMeans, Imf::FloatVectorAttribute(means));
+  return header;
+}
+
+Imf::Header non_path_header(const Record& record, const char* name) {
+  Imf::Header header(exr::box_of({0, 0, record.info.width, record.info.height}), exr::box_of(record.info.window));
+  header.setName(name);
+  header.setType(Imf::SCANLINEIMAGE);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  exr::insert_rgb(header.channels(), "");
+  return header;
+}
+
+void write_entries(Imf::DeepScanLineOutputPart part, const Record& record) {
+  const Window& window = record.info.window;
+  std::vector<unsigned> counts(window.pixel_count());
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    counts[i] = static_cast<unsigned>(record.offsets[i + 1] - record.offsets[i]);
+  // OpenEXR takes the same frame buffer for writing as for reading, hence without const.
+  EntryFrame entries(window, record.offsets, const_cast<Entry*>(record.entries.data()));
+  float zero = 0;
+  char* zero_sample = reinterpret_cast<char*>(&zero);
+  for_each_block(window, [&](int y0, int y1) {
+    Imf::DeepFrameBuffer frame = entries.lines(y0, y1, counts.data());
+    for (const auto& [name, type] : kZeroChannels)
+      frame.insert(name, Imf::DeepSlice(type, reinterpret_cast<char*>(&zero_sample), 0, 0, 0));
+    part.setFrameBuffer(frame);
+    part.writePixels(y1 - y0);
+  });
+}
+
+void write_non_path(Imf::OutputPart part, const std::vector<Rgb>& pixels, const Window& window) {
+  Imf::FrameBuffer frame;
+  exr::insert_rgb(frame, "", pixels.data(), window);
+  part.setFrameBuffer(frame);
+  part.writePixels(window.height());
+}
+
+// Reading. Failures throw std::runtime_error with the reason alone; exr::reading adds the file.
+
+void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw std::runtime_error(otherwise);
+}
+
+void check_layout(const Imf::Header& header) {
+  const std::string wanted =
+      fmt::format("expected a record, that is a deep EXR with the attribute '{}' = {}", kLayout, kLayoutVersion);
+  require(header.hasType() && header.type() == Imf::DEEPSCANLINE, fmt::format("this is a flat EXR; {}", wanted));
+  const auto* layout = header.findTypedAttribute<Imf::IntAttribute>(kLayout);
+  require(layout != nullptr, fmt::format("this is a deep EXR of another kind; {}", wanted));
+  require(layout->value() == kLayoutVersion,
+          fmt::format("this is a record of layout version {}; {}", layout->value(), wanted));
+  for (const EntryChannel& channel : kEntryChannels) {
+    const Imf::Channel* found = header.channels().findChannel(channel.name);
+    require(found != nullptr && found->type == channel.type,
+            fmt::format("the channel '{}' is missing or of another type", channel.name));
+  }
+}
+
+void check_info(const RenderInfo& info) {
+  const Window& window = info.window;
+  require(window.x0 >= 0 && window.y0 >= 0 && window.x1 <= info.width && window.y1 <= info.height,
+          "the data window reaches beyond the picture");
+  require(info.samples_per_pixel >= 1, "the number of samples per pixel is not positive");
+}
+
+std::vector<taxonomy::Word> read_words(const Imf::Header& header) {
+  require(Imf::hasIDManifest(header), "the id manifest is missing");
+  const Imf::IDManifest manifest(Imf::idManifest(header));
+  const std::size_t group = manifest.find(kIdChannel);
+  require(group < manifest.size(), "the id manifest does not tell about the channel 'id'");
+  std::vector<taxonomy::Word> words;
+  words.reserve(manifest[group].size());
+  for (auto i = manifest[group].begin(); !(i == manifest[group].end()); ++i) {
+    require(i.id() == words.size() && i.text().size() == 1, "the id manifest does not number the words 0, 1, 2 ...");
+    const std::string& text = i.text().front();
+    try {
+      words.push_back(taxonomy::parse_word(text));
+    } catch (const InputError&) {
+      throw std::runtime_error(fmt::format("the id manifest has '{}', which is not a word", text));
+    }
+    require(taxonomy::fine(words.back()) == text, fmt::format("the id manifest has '{}' without subscripts", text));
+    require(words.size() < 2 || words[words.size() - 2] < words.back(), "the words of the id manifest are not sorted");
+  }
+  return words;
+}
+
+std::vector<Rgb> read_batch_means(const Imf::Header& header, std::size_t word_count) {
+  const std::vector<float>& means = exr::attribute<Imf::FloatVectorAttribute>(header, kBatchMeans);
+  require(means.size() == 3 * kBatches * word_count,
+          fmt::format("the header attribute '{}' has {} numbers for {} words", kBatchMeans, means.size(), word_count));
+  std::vector<Rgb> result(means.size() / 3);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = {means[3 * i], means[3 * i + 1], means[3 * i + 2]};
+    require(is_finite(result[i]),
+            fmt::format("the header attribute '{}' has a number that is not finite", kBatchMeans));
+  }
+  return result;
+}
+
+/// Throws unless the entries keep the promises of Record.
+void check_pixel(const Entry* first, const Entry* last, std::vector<char>& is_present) {
+  for (const Entry* entry = first; entry != last; ++entry) {
+    require(entry->word < is_present.size(), "a pixel has an id that the id manifest does not know");
+    require(entry == first || entry[-1].word < entry->word, "a pixel's ids are not ascending");
+    const Rgb& e = entry->energy;
+    require(is_finite(e) && e.r >= 0 && e.g >= 0 && e.b >= 0, "a pixel has an energy that is negative or not finite");
+    require(entry->count > 0, "a pixel has a word without contributions");
+    is_present[entry->word] = 1;
+  }
+}
+
+void read_entries(Imf::DeepScanLineInputPart part, std::uint64_t file_bytes, Record& record) {
+  const Window& window = record.info.window;
+  const std::size_t pixels = window.pixel_count();
+  std::vector<unsigned> counts(pixels);
+  Imf::DeepFrameBuffer counts_only;
+  counts_only.insertSampleCountSlice(EntryFrame::count_slice(window, counts.data()));
+  part.setFrameBuffer(counts_only);
+  part.readPixelSampleCounts(window.y0, window.y1 - 1);
+
+  record.offsets.resize(pixels + 1);
+  for (std::size_t i = 0; i < pixels; ++i) record.offsets[i + 1] = record.offsets[i] + counts[i];
+  require(exr::can_unpack_to(record.offsets.back() * kBytesPerEntry, file_bytes),
+          "the file is damaged: it promises more samples than it can hold");
+  record.entries.resize(record.offsets.back());
+
+  EntryFrame entries(window, record.offsets, record.entries.data());
+  std::vector<char> is_present(record.words.size());
+  for_each_block(window, [&](int y0, int y1) {
+    part.setFrameBuffer(entries.lines(y0, y1, counts.data()));
+    part.readPixels(y0, y1 - 1);
+    const auto width = static_cast<std::size_t>(window.width());
+    const std::size_t first = static_cast<std::size_t>(y0 - window.y0) * width;
+    const std::size_t last = static_cast<std::size_t>(y1 - window.y0) * width;
+    for (std::size_t i = first; i < last; ++i)
+      check_pixel(&record.entries[record.offsets[i]], &record.entries[record.offsets[i + 1]], is_present);
+  });
+  require(std::find(is_present.begin(), is_present.end(), 0) == is_present.end(),
+          "the id manifest has a word that no pixel has");
+}
+
+std::vector<Rgb> read_non_path(Imf::InputPart part, const Window& window) {
+  require(exr::window_of(part.header().dataWindow()) == window,
+          fmt::format("the part '{}' has another data window", part.header().name()));
+  std::vector<Rgb> pixels(window.pixel_count());
+  Imf::FrameBuffer frame;
+  exr::insert_rgb(frame, "", pixels.data(), window);
+  part.setFrameBuffer(frame);
+  part.readPixels(window.y0, window.y1 - 1);
+  return pixels;
+}
+
+}  // namespace
+
+void write_record(const Record& record, const std::filesystem::path& path) {
+  exr::writing(path, [&] {
+    std::vector<Imf::Header> headers{paths_header(record)};
+    for (const NonPathPart& part : kNonPathParts)
+      if (!(record.*part.buffer).empty()) headers.push_back(non_path_header(record, part.name));
+    AtomicFile target(path);
+    {
+      Imf::MultiPartOutputFile file(target.temporary().c_str(), headers.data(), static_cast<int>(headers.size()), false,
+                                    exr::threads());
+      write_entries(Imf::DeepScanLineOutputPart(file, 0), record);
+      int number = 1;
+      for (const NonPathPart& part : kNonPathParts)
+        if (const auto& pixels = record.*part.buffer; !pixels.empty())
+          write_non_path(Imf::OutputPart(file, number++), pixels, record.info.window);
+    }
+    target.commit();
+  });
+}
+
+Record read_record(const std::filesystem::path& path) {
+  return exr::reading(path, [&] {
+    const std::uint64_t file_bytes = exr::check_is_exr(path);
+    Imf::MultiPartInputFile file(path.c_str(), exr::threads(), false);
+    const Imf::Header& header = file.header(0);
+    check_layout(header);
+    for (int part = 0; part < file.parts(); ++part)
+      require(file.partComplete(part), "the file is incomplete: scan lines are missing");
+
+    Record record;
+    record.info = exr::info_of(header);
+    check_info(record.info);
+    require(exr::can_unpack_to(record.info.window.pixel_count() * sizeof(unsigned), file_bytes),
+            "the file is damaged: it promises more pixels than it can hold");
+    for (const TallyFacts& facts : kTallyFields)
+      record.tally.*facts.field =
+          exr::parse_number(exr::attribute<Imf::StringAttribute>(header, tally_name(facts)), tally_name(facts));
+    record.words = read_words(header);
+    record.batch_means = read_batch_means(header, record.words.size());
+    read_entries(Imf::DeepScanLineInputPart(file, 0), file_bytes, record);
+    for (int number = 1; number < file.parts(); ++number)
+      for (const NonPathPart& part : kNonPathParts)
+        if (file.header(number).name() == part.name)
+          record.*part.buffer = read_non_path(Imf::InputPart(file, number), record.info.window);
+    return record;
+  });
+}
+
+}  // namespace heckbert::record

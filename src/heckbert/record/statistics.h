@@ -1,0 +1,33 @@
+#pragma once
+// Energies with confidence. The picture mean of a set of words is estimated once per batch of samples; the batches are
+// independent, so the spread of their values gives Student intervals for energies, and of their ratios for shares
+// (batch means: Law and Kelton, "Simulation Modeling and Analysis", 9.5.3). Energies are luminance unless said
+// otherwise.
+
+#include <vector>
+
+#include <heckbert/record/record.h>
+
+namespace heckbert::record {
+
+/// A mean with its two-sided confidence interval; lower == upper == mean when the spread is unknown (one batch),
+/// in which case `known` is false.
+struct Estimate {
+  double mean = 0;
+  double standard_error = 0;
+  double lower = 0, upper = 0;
+  bool known = true;
+};
+
+/// Picture-mean luminance of the chosen words, with its interval at `confidence`.
+Estimate energy(const Record& record, const std::vector<bool>& chosen, double confidence = 0.95);
+/// Picture-mean colour of the chosen words (no interval).
+Rgb mean_colour(const Record& record, const std::vector<bool>& chosen);
+/// Energy of `part` over energy of `whole`, as a ratio estimate. Mean 0 when the whole is dark.
+Estimate share(const Record& record, const std::vector<bool>& part, const std::vector<bool>& whole,
+               double confidence = 0.95);
+
+/// Quantile of Student's t with `degrees` degrees of freedom: the t with P(T <= t) = probability.
+double student_quantile(double probability, int degrees);
+
+}  // namespace heckbert::record
