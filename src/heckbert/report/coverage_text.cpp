@@ -1,0 +1,54 @@
+#include <heckbert/report/coverage_text.h>
+
+#include <fmt/format.h>
+
+#include <heckbert/report/facts.h>
+#include <heckbert/report/numbers.h>
+#include <heckbert/report/words_text.h>
+
+namespace heckbert::report {
+namespace {
+
+std::string expressions(const GrammarCoverage& grammar) {
+  if (grammar.expression_delta.empty()) return grammar.expression;
+  return fmt::format("{}   for lights that cannot be hit: {}", grammar.expression, grammar.expression_delta);
+}
+
+/// As many of the missed words as fit on the line.
+std::string missed(const GrammarCoverage& grammar, std::size_t width) {
+  if (grammar.top_missed.empty()) return "misses nothing";
+  std::string line = "misses ";
+  for (std::size_t i = 0; i < grammar.top_missed.size(); ++i) {
+    const WordEnergy& word = grammar.top_missed[i];
+    const std::string next = fmt::format("{}{} {}", i == 0 ? "" : ", ", word.word, percent(word.share.mean));
+    if (i > 0 && display_width(line) + next.size() > width) break;
+    line += next;
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string coverage_text(const Coverage& coverage, const TextStyle& style, std::size_t words) {
+  std::string text = wrap(summary(coverage.info), style.width);
+  text += wrap("Glossy rule " + describe(coverage.glossy_rule), style.width);
+  text += wrap(fmt::format("Energy is the mean luminance of the picture: {} in all. Intervals hold at {}.",
+                           number(coverage.total.mean), level(coverage.confidence)),
+               style.width);
+  for (const std::string& warning : warnings(coverage.info, coverage.tally))
+    text += wrap("Warning: " + warning, style.width);
+
+  std::vector<TextRow> rows;
+  for (const GrammarCoverage& grammar : coverage.grammars)
+    rows.push_back({.cells = {grammar.title, percent(grammar.share.mean), bracketed_percent(grammar.share),
+                              number(grammar.captured_energy.mean)},
+                    .notes = {expressions(grammar), missed(grammar, style.width - 2)},
+                    .bar = grammar.share.mean});
+  text +=
+      '\n' +
+      text_table({{"Algorithm"}, {"Share", Align::Right}, {"Interval in %", Align::Right}, {"Energy", Align::Right}},
+                 rows, style);
+  return text + '\n' + words_text(coverage.words, style, words);
+}
+
+}  // namespace heckbert::report

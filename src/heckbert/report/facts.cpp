@@ -1,0 +1,66 @@
+#include <heckbert/report/facts.h>
+
+#include <fmt/format.h>
+
+#include <heckbert/report/numbers.h>
+
+namespace heckbert::report {
+namespace {
+
+std::string picture_size(const record::RenderInfo& info) {
+  std::string text = fmt::format("{} x {} pixels", info.width, info.height);
+  const record::Window& window = info.window;
+  if (window != record::Window{0, 0, info.width, info.height})
+    text += fmt::format(", of which x {} to {} and y {} to {} were rendered", window.x0, window.x1 - 1, window.y0,
+                        window.y1 - 1);
+  return text;
+}
+
+std::string rejected(const record::Tally& tally) {
+  if (tally.rejected_not_finite + tally.rejected_negative == 0) return "none";
+  return fmt::format("{} not finite, {} negative", grouped(tally.rejected_not_finite),
+                     grouped(tally.rejected_negative));
+}
+
+}  // namespace
+
+std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally) {
+  return {
+      {"Scene", info.scene},
+      {"Algorithm", info.algorithm},
+      {"Picture", picture_size(info)},
+      {"Samples", fmt::format("{} per pixel, {} in all", info.samples_per_pixel, grouped(tally.samples))},
+      {"Seed", std::to_string(info.seed)},
+      {"Depth", fmt::format("at most {} scatterings per path", info.max_depth)},
+      {"Paths found", fmt::format("{} by hitting a light, {} by next-event estimation", grouped(tally.hits),
+                                  grouped(tally.next_events))},
+      {"Walks ended",
+       fmt::format("{} escaped, {} absorbed, {} at the depth limit, {} by roulette", grouped(tally.escaped),
+                   grouped(tally.absorbed), grouped(tally.depth_limited), grouped(tally.roulette))},
+      {"Rejected", rejected(tally)},
+      {"Version", "heckbert " + info.version},
+  };
+}
+
+std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally) {
+  std::vector<std::string> found;
+  if (info.partial) found.push_back("The render was interrupted: pixels without samples are black and count as such.");
+  if (tally.rejected_not_finite + tally.rejected_negative > 0)
+    found.push_back(fmt::format("Contributions were left out because they were no light: {}.", rejected(tally)));
+  if (record::batch_count(info.samples_per_pixel) < 2)
+    found.push_back("One sample per pixel gives no confidence intervals; render with two or more.");
+  return found;
+}
+
+std::string summary(const record::RenderInfo& info) {
+  return fmt::format("{}, {}, {}, {} samples per pixel, seed {}, heckbert {}", info.scene, info.algorithm,
+                     picture_size(info), info.samples_per_pixel, info.seed, info.version);
+}
+
+std::string describe(taxonomy::GlossyRule rule) {
+  for (const taxonomy::GlossyRuleFacts& facts : taxonomy::kGlossyRules)
+    if (facts.rule == rule) return fmt::format("{}: {}", facts.name, facts.meaning);
+  return {};
+}
+
+}  // namespace heckbert::report

@@ -1,0 +1,21 @@
+#pragma once
+// Grammars for people and programs: `grammar list` and `grammar show`.
+
+#include <string>
+
+#include <heckbert/report/text_table.h>
+#include <heckbert/taxonomy/grammar.h>
+
+namespace heckbert::report {
+
+/// Algorithms, then classes: name, title, expression.
+std::string grammar_list_text(const taxonomy::GrammarLibrary& library, const TextStyle& style = {});
+/// Schema "heckbert.grammars".
+std::string grammar_list_json(const taxonomy::GrammarLibrary& library);
+
+/// One grammar with all that its file says, the size of its automaton and its shortest word.
+std::string grammar_text(const taxonomy::Grammar& grammar, const TextStyle& style = {});
+/// Schema "heckbert.grammar".
+std::string grammar_json(const taxonomy::Grammar& grammar);
+
+}  // namespace heckbert::report

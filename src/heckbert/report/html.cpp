@@ -1,0 +1,330 @@
+#include <heckbert/report/html.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <heckbert/report/facts.h>
+#include <heckbert/report/html_text.h>
+#include <heckbert/report/numbers.h>
+#include <heckbert/report/picture.h>
+#include <heckbert/taxonomy/symbol.h>
+
+namespace heckbert::report {
+
+extern const char* const kPageCss;  // page.css, compiled in
+
+namespace {
+
+using fmt::arg;
+
+std::string picture_element(const record::Image& image, float exposure, int width, std::string_view alternative) {
+  const Picture picture = to_srgb(shrunk(image, width), exposure);
+  if (picture.rgb.empty()) return "<p>The picture has no pixels.</p>";
+  return fmt::format(R"(<img src="data:image/png;base64,{}" width="{}" height="{}" alt="{}">)",
+                     base64(encode_png(picture)), picture.width, picture.height, escaped(alternative));
+}
+
+/// A bar as long as the share, with a mark over its interval. Ornament: the numbers stand beside it.
+std::string bar(const record::Estimate& share) {
+  const auto part = [](double x) { return 100 * std::clamp(x, 0.0, 1.0); };
+  std::string marks = fmt::format(R"(<i style="width:{:.3f}%"></i>)", part(share.mean));
+  if (share.known)
+    marks += fmt::format(R"(<b style="left:{:.3f}%;width:{:.3f}%"></b>)", part(share.lower),
+                         part(share.upper) - part(share.lower));
+  return fmt::format(R"(<span class="bar" aria-hidden="true">{}</span>)", marks);
+}
+
+std::string anchor(const GrammarCoverage& grammar) {
+  return escaped("algorithm-" + grammar.name);
+}
+
+/// The names of the words, for the alternative text of a picture.
+std::string word_list(const std::vector<WordEnergy>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(words.size(), 4); ++i) text += (i == 0 ? "" : ", ") + words[i].word;
+  return text.empty() ? "no words" : text;
+}
+
+std::string introduction(const Coverage& coverage) {
+  std::string notes;
+  for (const std::string& warning : warnings(coverage.info, coverage.tally))
+    notes += fmt::format("<p class=\"warning\"><strong>Take note.</strong> {}</p>\n", escaped(warning));
+  return fmt::format(R"(<header>
+<p class="kind">Light-path coverage</p>
+<h1>{scene}</h1>
+<p class="lead">How much of the light in this picture would each rendering algorithm have captured, and what would it
+have missed?</p>
+{notes}<nav aria-label="Sections"><ul>
+<li><a href="#picture">Picture</a></li>
+<li><a href="#reading">How to read</a></li>
+<li><a href="#shares">Shares</a></li>
+<li><a href="#algorithms">Algorithms</a></li>
+<li><a href="#words">Words</a></li>
+<li><a href="#facts">Facts</a></li>
+</ul></nav>
+</header>
+)",
+                     arg("scene", escaped(coverage.info.scene)), arg("notes", notes));
+}
+
+std::string picture_section(const record::Image& beauty, const Coverage& coverage, float exposure, int width) {
+  return fmt::format(R"(<section id="picture" aria-label="The picture">
+<figure class="picture">{picture}
+<figcaption>The picture: all recorded light. Traced by {algorithm}, {samples} samples per pixel, seed {seed}.
+Every picture on this page has the same exposure, {stops:+.2f} stops.</figcaption></figure>
+</section>
+)",
+                     arg("picture", picture_element(beauty, exposure, width, "The picture of " + coverage.info.scene)),
+                     arg("algorithm", escaped(coverage.info.algorithm)),
+                     arg("samples", coverage.info.samples_per_pixel), arg("seed", coverage.info.seed),
+                     arg("stops", std::log2(exposure)));
+}
+
+/// The plain letters with what they stand for, from the table of symbols: letters that differ only in their subscript
+/// come together.
+std::string letter_rows() {
+  std::string rows;
+  for (std::size_t i = 0; i < taxonomy::kSymbolCount;) {
+    const char letter = taxonomy::kSymbols[i].letter;
+    std::string meanings;
+    for (; i < taxonomy::kSymbolCount && taxonomy::kSymbols[i].letter == letter; ++i)
+      meanings += (meanings.empty() ? "" : ", ") + std::string(taxonomy::kSymbols[i].meaning);
+    rows += fmt::format("<tr><th scope=\"row\"><code>{}</code></th><td>{}</td></tr>\n", letter, escaped(meanings));
+  }
+  return rows;
+}
+
+std::string reading_section(const Coverage& coverage) {
+  std::string lines;
+  for (const TaxonomyLine& line : kTaxonomyLines)
+    lines += fmt::format("<tr><th scope=\"row\">{}</th><td><code>{}</code></td><td>{}</td></tr>\n", line.algorithm,
+                         escaped(line.expression), line.meaning);
+  return fmt::format(R"(<section id="reading">
+<h2>How to read this page</h2>
+<p>{direction} An expression stands for many words at once: <code>?</code> means at most once, <code>*</code> any number
+of times, also none, <code>+</code> at least once, and <code>|</code> either of two.</p>
+<p>Glossy rule <strong>{rule}</strong>.</p>
+<div class="columns">
+<table><caption>The letters</caption>
+<thead><tr><th scope="col">Letter</th><th scope="col">Meaning</th></tr></thead>
+<tbody>
+{letters}</tbody></table>
+<table><caption>The taxonomy in four lines ({source})</caption>
+<thead><tr><th scope="col">Algorithm</th><th scope="col">Captures</th><th scope="col">In words</th></tr></thead>
+<tbody>
+{lines}</tbody></table>
+</div>
+</section>
+)",
+                     arg("direction", kReadingDirection), arg("rule", escaped(describe(coverage.glossy_rule))),
+                     arg("letters", letter_rows()), arg("source", kTaxonomySource), arg("lines", lines));
+}
+
+std::string shares_section(const Coverage& coverage) {
+  std::string rows;
+  for (const GrammarCoverage& grammar : coverage.grammars)
+    rows += fmt::format(R"(<tr><th scope="row"><a href="#{anchor}">{title}</a></th><td><code>{expression}</code></td>
+<td class="number">{share}</td><td class="number">{interval}</td><td class="wide">{bar}</td></tr>
+)",
+                        arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)),
+                        arg("expression", escaped(grammar.expression)), arg("share", percent(grammar.share.mean)),
+                        arg("interval", percent_interval(grammar.share)), arg("bar", bar(grammar.share)));
+  return fmt::format(R"(<section id="shares">
+<h2>Shares of the light</h2>
+<p>Share of the picture's mean luminance, {total}, that the words of each algorithm carry. An algorithm that captures a
+word may still give it a wrong or a noisy value; known biases are listed with each.</p>
+<div class="scroll" tabindex="0" role="region" aria-label="Shares of the light"><table class="shares">
+<thead><tr><th scope="col">Algorithm</th><th scope="col">Captures</th><th scope="col" class="number">Share</th>
+<th scope="col" class="number">{level} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th>
+</tr></thead>
+<tbody>
+{rows}</tbody></table></div>
+</section>
+)",
+                     arg("total", number(coverage.total.mean)), arg("level", level(coverage.confidence)),
+                     arg("rows", rows));
+}
+
+std::string word_rows(const std::vector<WordEnergy>& words, std::size_t most) {
+  std::string rows;
+  for (std::size_t i = 0; i < std::min(most, words.size()); ++i)
+    rows += fmt::format(R"(<tr><th scope="row"><code>{word}</code></th><td class="number">{share}</td>
+<td class="number">{interval}</td><td class="wide">{bar}</td></tr>
+)",
+                        arg("word", escaped(words[i].word)), arg("share", percent(words[i].share.mean)),
+                        arg("interval", percent_interval(words[i].share)), arg("bar", bar(words[i].share)));
+  return rows;
+}
+
+std::string word_table(std::string_view caption, const std::vector<WordEnergy>& words, double confidence) {
+  if (words.empty()) return fmt::format("<p class=\"none\">{}: none.</p>\n", escaped(caption));
+  return fmt::format(R"(<table class="words"><caption>{caption}</caption>
+<thead><tr><th scope="col">Word</th><th scope="col" class="number">Share</th>
+<th scope="col" class="number">{level} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th></tr></thead>
+<tbody>
+{rows}</tbody></table>
+)",
+                     arg("caption", escaped(caption)), arg("level", level(confidence)),
+                     arg("rows", word_rows(words, words.size())));
+}
+
+std::string expressions(const GrammarCoverage& grammar) {
+  if (grammar.expression_delta.empty())
+    return fmt::format("<p><code class=\"expression\">{}</code></p>\n", escaped(grammar.expression));
+  return fmt::format(
+      R"(<dl class="expressions"><div><dt>Lights that a ray can hit</dt><dd><code class="expression">{}</code></dd></div>
+<div><dt>Lights that it cannot: point, spot, distant</dt><dd><code class="expression">{}</code></dd></div></dl>
+)",
+      escaped(grammar.expression), escaped(grammar.expression_delta));
+}
+
+std::string biases(const GrammarCoverage& grammar) {
+  if (grammar.biases.empty()) return {};
+  std::string items;
+  for (const std::string& bias : grammar.biases) items += fmt::format("<li>{}</li>\n", escaped(bias));
+  return fmt::format("<p>Captured words that it gets wrong:</p>\n<ul>\n{}</ul>\n", items);
+}
+
+std::string part_figure(const record::Record& record, const std::vector<bool>& words, float exposure, int width,
+                        const std::string& caption, const std::string& alternative) {
+  return fmt::format("<figure>{}\n<figcaption>{}</figcaption></figure>\n",
+                     picture_element(image_of(record, words), exposure, width, alternative), escaped(caption));
+}
+
+std::string algorithm_article(const record::Record& record, const Coverage& coverage, const GrammarCoverage& grammar,
+                              float exposure, int width) {
+  std::vector<bool> missed = grammar.captured;
+  missed.flip();
+  const std::string missed_percent = percent(missed_share(coverage, grammar));
+  const std::string source =
+      grammar.source.empty() ? "" : fmt::format("<p class=\"source\">Source: {}</p>\n", escaped(grammar.source));
+  return fmt::format(
+      R"(<article id="{anchor}">
+<h3>{title}</h3>
+{expressions}<p class="share"><strong>{share}</strong> of the light captured; {level} interval {interval}</p>
+<div class="pair">
+{captured_figure}{missed_figure}</div>
+<div class="pair">
+<div>{captured_words}</div>
+<div>{missed_words}</div>
+</div>
+{biases}{source}</article>
+)",
+      arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)), arg("expressions", expressions(grammar)),
+      arg("share", percent(grammar.share.mean)), arg("level", level(coverage.confidence)),
+      arg("interval", percent_interval(grammar.share)),
+      arg("captured_figure",
+          part_figure(record, grammar.captured, exposure, width, "Captured: " + percent(grammar.share.mean),
+                      fmt::format("What {} captures: {} of the light, mostly {}", grammar.title,
+                                  percent(grammar.share.mean), word_list(grammar.top_captured)))),
+      arg("missed_figure", part_figure(record, missed, exposure, width, "Missed: " + missed_percent,
+                                       fmt::format("What {} misses: {} of the light, mostly {}", grammar.title,
+                                                   missed_percent, word_list(grammar.top_missed)))),
+      arg("captured_words", word_table("Words captured", grammar.top_captured, coverage.confidence)),
+      arg("missed_words", word_table("Words missed", grammar.top_missed, coverage.confidence)),
+      arg("biases", biases(grammar)), arg("source", source));
+}
+
+std::string algorithms_section(const record::Record& record, const Coverage& coverage, float exposure, int width) {
+  std::string articles;
+  for (const GrammarCoverage& grammar : coverage.grammars)
+    articles += algorithm_article(record, coverage, grammar, exposure, width);
+  return fmt::format("<section id=\"algorithms\">\n<h2>Algorithm by algorithm</h2>\n{}</section>\n", articles);
+}
+
+std::string words_section(const Coverage& coverage, std::size_t most) {
+  const std::size_t shown = std::min(most, coverage.words.size());
+  double rest = 0;
+  for (std::size_t i = shown; i < coverage.words.size(); ++i) rest += coverage.words[i].share.mean;
+  const std::string rest_line = shown == coverage.words.size()
+                                    ? ""
+                                    : fmt::format("<p>And {} with {} of the light together.</p>\n",
+                                                  counted(coverage.words.size() - shown, "more word"), percent(rest));
+  const std::vector<WordEnergy> first(coverage.words.begin(),
+                                      coverage.words.begin() + static_cast<std::ptrdiff_t>(shown));
+  return fmt::format("<section id=\"words\">\n<h2>The words of this scene</h2>\n{}{}</section>\n",
+                     word_table("Words by energy, most first", first, coverage.confidence), rest_line);
+}
+
+/// The buffers of light that no path carries; nothing when the render had none.
+std::string non_path_section(const record::Record& record, float exposure, int width) {
+  struct Buffer {
+    const std::vector<Rgb>& pixels;
+    std::string_view title, meaning;
+  };
+  const std::array<Buffer, 2> buffers{{
+      {record.ambient, "Ambient term", "A constant added to every surface. It has no path and no visibility."},
+      {record.phantom, "Phantom mirror",
+       "The mirror ray that the lecture's tracer continues at a diffuse surface, whose material does not reflect so."},
+  }};
+  std::string figures;
+  for (const Buffer& buffer : buffers) {
+    if (buffer.pixels.empty()) continue;
+    const record::Image image{record.info.window, buffer.pixels};
+    figures += fmt::format("<figure>{}\n<figcaption><strong>{}.</strong> {}</figcaption></figure>\n",
+                           picture_element(image, exposure, width, fmt::format("{} alone", buffer.title)), buffer.title,
+                           buffer.meaning);
+  }
+  if (figures.empty()) return {};
+  return fmt::format(R"(<section id="non-path">
+<h2>Light that no path carries</h2>
+<p>This light is in no picture above and in no share: it is outside of coverage.</p>
+<div class="pair">
+{}</div>
+</section>
+)",
+                     figures);
+}
+
+std::string facts_section(const Coverage& coverage) {
+  std::string items;
+  for (const Fact& fact : facts(coverage.info, coverage.tally))
+    items += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(fact.label), escaped(fact.value));
+  return fmt::format(R"(<section id="facts">
+<h2>Facts</h2>
+<dl class="facts">
+{}<div><dt>Glossy rule</dt><dd>{}</dd></div>
+<div><dt>Intervals</dt><dd>{} confidence, from the spread of up to {} batches of samples</dd></div>
+</dl>
+</section>
+)",
+                     items, escaped(describe(coverage.glossy_rule)), level(coverage.confidence), record::kBatches);
+}
+
+}  // namespace
+
+std::string html(const record::Record& record, const Coverage& coverage, const HtmlOptions& options) {
+  const record::Image beauty = record::beauty(record);
+  const float exposure = options.exposure.value_or(auto_exposure(beauty));
+  std::string page = fmt::format(R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta name="generator" content="heckbert {version}">
+<title>{scene} - light-path coverage</title>
+<style>
+{css}</style>
+</head>
+<body>
+)",
+                                 arg("version", escaped(coverage.info.version)),
+                                 arg("scene", escaped(coverage.info.scene)), arg("css", kPageCss));
+  page += introduction(coverage);
+  page += "<main>\n";
+  page += picture_section(beauty, coverage, exposure, options.picture_width);
+  page += reading_section(coverage);
+  page += shares_section(coverage);
+  page += algorithms_section(record, coverage, exposure, options.part_width);
+  page += words_section(coverage, options.words);
+  page += non_path_section(record, exposure, options.part_width);
+  page += facts_section(coverage);
+  page += "</main>\n</body>\n</html>\n";
+  return page;
+}
+
+}  // namespace heckbert::report

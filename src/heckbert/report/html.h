@@ -1,0 +1,24 @@
+#pragma once
+// The report: one self-contained page that needs nothing but a browser. Style sheet and pictures are inside it; it runs
+// no script and fetches nothing.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include <heckbert/record/record.h>
+#include <heckbert/report/coverage.h>
+
+namespace heckbert::report {
+
+struct HtmlOptions {
+  std::optional<float> exposure;  ///< one for all pictures; else auto_exposure() of the beauty
+  std::size_t words = 24;         ///< rows of the table of the scene's words
+  int picture_width = 1280;       ///< of the picture, at most
+  int part_width = 640;           ///< of captured and missed, at most
+};
+
+/// `coverage` must come from `record`. The page grows by some two pictures per grammar.
+std::string html(const record::Record& record, const Coverage& coverage, const HtmlOptions& options = {});
+
+}  // namespace heckbert::report

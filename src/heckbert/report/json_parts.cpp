@@ -1,0 +1,58 @@
+#include <heckbert/report/json_parts.h>
+
+namespace heckbert::report {
+
+Json document_of(std::string_view schema) {
+  return {{"schema", schema}, {"schema_version", kSchemaVersion}};
+}
+
+Json to_json(const record::Estimate& estimate) {
+  return {{"mean", estimate.mean},
+          {"standard_error", estimate.standard_error},
+          {"lower", estimate.lower},
+          {"upper", estimate.upper},
+          {"known", estimate.known}};
+}
+
+Json to_json(const record::RenderInfo& info) {
+  const record::Window& window = info.window;
+  return {{"scene", info.scene},
+          {"algorithm", info.algorithm},
+          {"width", info.width},
+          {"height", info.height},
+          {"window", {{"x0", window.x0}, {"y0", window.y0}, {"x1", window.x1}, {"y1", window.y1}}},
+          {"samples_per_pixel", info.samples_per_pixel},
+          {"seed", info.seed},
+          {"max_depth", info.max_depth},
+          {"partial", info.partial},
+          {"version", info.version}};
+}
+
+Json to_json(const record::Tally& tally) {
+  Json json = Json::object();
+  for (const record::TallyFacts& facts : record::kTallyFields) json[std::string(facts.name)] = tally.*facts.field;
+  return json;
+}
+
+Json to_json(const std::vector<WordEnergy>& words) {
+  Json list = Json::array();
+  for (const WordEnergy& word : words)
+    list.push_back({{"word", word.word},
+                    {"energy", to_json(word.energy)},
+                    {"share", to_json(word.share)},
+                    {"count", word.count},
+                    {"length", word.length}});
+  return list;
+}
+
+std::string_view name_of(taxonomy::GlossyRule rule) {
+  for (const taxonomy::GlossyRuleFacts& facts : taxonomy::kGlossyRules)
+    if (facts.rule == rule) return facts.name;
+  return {};
+}
+
+std::string dump(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace heckbert::report
