@@ -80,6 +80,11 @@ int batch_count(int samples_per_pixel);
 /// How many samples of a pixel fall into each batch; they differ by one at most. Their sum is samples_per_pixel.
 std::array<int, kBatches> batch_sizes(int samples_per_pixel);
 
+/// Light that can be: finite and not negative in every channel.
+inline bool is_recordable(Rgb value) {
+  return is_finite(value) && value.r >= 0 && value.g >= 0 && value.b >= 0;
+}
+
 struct Entry {
   std::uint32_t word = 0;   ///< index into Record::words
   Rgb energy;               ///< mean over the pixel's samples

@@ -56,55 +56,34 @@ struct NonPathPart {
 };
 constexpr std::array<NonPathPart, 2> kNonPathParts{{{"ambient", &Record::ambient}, {"phantom", &Record::phantom}}};
 
-/// Lines handed to OpenEXR at a time: enough to keep its threads busy, few enough that the pointers stay small.
-constexpr int kBlockLines = 64;
-
-template <class F>
-void for_each_block(const Window& window, F act) {
-  for (int y0 = window.y0; y0 < window.y1; y0 += kBlockLines) act(y0, std::min(y0 + kBlockLines, window.y1));
-}
-
 /// The base address that OpenEXR wants, from which x and y count: the one of pixel (0, 0), wherever the window starts.
 template <class T>
-char* base_of(T* first, int x0, int y0, int width) {
-  const std::ptrdiff_t pixels = static_cast<std::ptrdiff_t>(y0) * width + x0;
-  return reinterpret_cast<char*>(first) - pixels * static_cast<std::ptrdiff_t>(sizeof(T));
+char* base_of(std::vector<T>& pixels, const Window& window) {
+  const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(window.y0) * window.width() + window.x0;
+  return reinterpret_cast<char*>(pixels.data()) - before * static_cast<std::ptrdiff_t>(sizeof(T));
 }
 
-/// Lets OpenEXR write from and read into the entries in place, a block of lines at a time.
-class EntryFrame {
- public:
-  EntryFrame(const Window& window, const std::vector<std::size_t>& offsets, Entry* entries)
-      : window_(window), offsets_(offsets), entries_(entries) {}
-
-  /// The frame buffer for lines [y0, y1); `counts` are those of the whole window.
-  Imf::DeepFrameBuffer lines(int y0, int y1, unsigned* counts) {
-    const auto width = static_cast<std::size_t>(window_.width());
-    const std::size_t first = static_cast<std::size_t>(y0 - window_.y0) * width;
-    const std::size_t pixels = static_cast<std::size_t>(y1 - y0) * width;
-    Imf::DeepFrameBuffer frame;
-    frame.insertSampleCountSlice(count_slice(window_, counts));
-    for (std::size_t c = 0; c < kEntryChannels.size(); ++c) {
-      pointers_[c].resize(pixels);
-      for (std::size_t i = 0; i < pixels; ++i)
-        pointers_[c][i] = reinterpret_cast<char*>(entries_ + offsets_[first + i]) + kEntryChannels[c].offset;
-      frame.insert(kEntryChannels[c].name,
-                   Imf::DeepSlice(kEntryChannels[c].type, base_of(pointers_[c].data(), window_.x0, y0, window_.width()),
-                                  sizeof(char*), sizeof(char*) * width, sizeof(Entry)));
-    }
-    return frame;
+/// Lets OpenEXR write from and read into entries in place: it asks for the address of each pixel's first value in each
+/// channel. Costs 40 bytes per pixel, against some 20 per word that a pixel holds.
+struct EntryFrame {
+  explicit EntryFrame(const Window& window) : counts(window.pixel_count()) {
+    for (std::vector<char*>& channel : first_values) channel.resize(window.pixel_count());
+    const std::size_t width = static_cast<std::size_t>(window.width());
+    buffer.insertSampleCountSlice({Imf::UINT, base_of(counts, window), sizeof(unsigned), sizeof(unsigned) * width});
+    for (std::size_t c = 0; c < kEntryChannels.size(); ++c)
+      buffer.insert(kEntryChannels[c].name, {kEntryChannels[c].type, base_of(first_values[c], window), sizeof(char*),
+                                             sizeof(char*) * width, sizeof(Entry)});
   }
 
-  static Imf::Slice count_slice(const Window& window, unsigned* counts) {
-    return {Imf::UINT, base_of(counts, window.x0, window.y0, window.width()), sizeof(unsigned),
-            sizeof(unsigned) * static_cast<std::size_t>(window.width())};
+  void point_at(Entry* entries, const std::vector<std::size_t>& offsets) {
+    for (std::size_t c = 0; c < kEntryChannels.size(); ++c)
+      for (std::size_t i = 0; i < counts.size(); ++i)
+        first_values[c][i] = reinterpret_cast<char*>(entries + offsets[i]) + kEntryChannels[c].offset;
   }
 
- private:
-  Window window_;
-  const std::vector<std::size_t>& offsets_;
-  Entry* entries_;
-  std::array<std::vector<char*>, kEntryChannels.size()> pointers_;
+  std::vector<unsigned> counts;  // by pixel
+  std::array<std::vector<char*>, kEntryChannels.size()> first_values;
+  Imf::DeepFrameBuffer buffer;
 };
 
 // Writing.
@@ -149,20 +128,17 @@ Imf::Header non_path_header(const Record& record, const char* name) {
 
 void write_entries(Imf::DeepScanLineOutputPart part, const Record& record) {
   const Window& window = record.info.window;
-  std::vector<unsigned> counts(window.pixel_count());
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    counts[i] = static_cast<unsigned>(record.offsets[i + 1] - record.offsets[i]);
+  EntryFrame frame(window);
+  for (std::size_t i = 0; i < frame.counts.size(); ++i)
+    frame.counts[i] = static_cast<unsigned>(record.offsets[i + 1] - record.offsets[i]);
   // OpenEXR takes the same frame buffer for writing as for reading, hence without const.
-  EntryFrame entries(window, record.offsets, const_cast<Entry*>(record.entries.data()));
+  frame.point_at(const_cast<Entry*>(record.entries.data()), record.offsets);
   float zero = 0;
   char* zero_sample = reinterpret_cast<char*>(&zero);
-  for_each_block(window, [&](int y0, int y1) {
-    Imf::DeepFrameBuffer frame = entries.lines(y0, y1, counts.data());
-    for (const auto& [name, type] : kZeroChannels)
-      frame.insert(name, Imf::DeepSlice(type, reinterpret_cast<char*>(&zero_sample), 0, 0, 0));
-    part.setFrameBuffer(frame);
-    part.writePixels(y1 - y0);
-  });
+  for (const auto& [name, type] : kZeroChannels)
+    frame.buffer.insert(name, {type, reinterpret_cast<char*>(&zero_sample), 0, 0, 0});
+  part.setFrameBuffer(frame.buffer);
+  part.writePixels(window.height());
 }
 
 void write_non_path(Imf::OutputPart part, const std::vector<Rgb>& pixels, const Window& window) {
@@ -235,45 +211,40 @@ std::vector<Rgb> read_batch_means(const Imf::Header& header, std::size_t word_co
 }
 
 /// Throws unless the entries keep the promises of Record.
-void check_pixel(const Entry* first, const Entry* last, std::vector<char>& is_present) {
-  for (const Entry* entry = first; entry != last; ++entry) {
-    require(entry->word < is_present.size(), "a pixel has an id that the id manifest does not know");
-    require(entry == first || entry[-1].word < entry->word, "a pixel's ids are not ascending");
-    const Rgb& e = entry->energy;
-    require(is_finite(e) && e.r >= 0 && e.g >= 0 && e.b >= 0, "a pixel has an energy that is negative or not finite");
-    require(entry->count > 0, "a pixel has a word without contributions");
-    is_present[entry->word] = 1;
+void check_entries(const Record& record) {
+  std::vector<char> is_present(record.words.size());
+  for (std::size_t i = 0; i + 1 < record.offsets.size(); ++i) {
+    for (std::size_t e = record.offsets[i]; e < record.offsets[i + 1]; ++e) {
+      const Entry& entry = record.entries[e];
+      if (entry.word >= is_present.size()) throw std::runtime_error("a pixel has an id that the id manifest lacks");
+      if (e > record.offsets[i] && record.entries[e - 1].word >= entry.word)
+        throw std::runtime_error("a pixel's ids are not ascending");
+      if (!is_recordable(entry.energy))
+        throw std::runtime_error("a pixel has an energy that is negative or not finite");
+      if (entry.count == 0) throw std::runtime_error("a pixel has a word without contributions");
+      is_present[entry.word] = 1;
+    }
   }
+  require(std::find(is_present.begin(), is_present.end(), 0) == is_present.end(),
+          "the id manifest has a word that no pixel has");
 }
 
 void read_entries(Imf::DeepScanLineInputPart part, std::uint64_t file_bytes, Record& record) {
   const Window& window = record.info.window;
-  const std::size_t pixels = window.pixel_count();
-  std::vector<unsigned> counts(pixels);
-  Imf::DeepFrameBuffer counts_only;
-  counts_only.insertSampleCountSlice(EntryFrame::count_slice(window, counts.data()));
-  part.setFrameBuffer(counts_only);
+  EntryFrame frame(window);
+  part.setFrameBuffer(frame.buffer);
   part.readPixelSampleCounts(window.y0, window.y1 - 1);
 
-  record.offsets.resize(pixels + 1);
-  for (std::size_t i = 0; i < pixels; ++i) record.offsets[i + 1] = record.offsets[i] + counts[i];
+  record.offsets.reserve(frame.counts.size() + 1);
+  record.offsets.push_back(0);
+  for (const unsigned count : frame.counts) record.offsets.push_back(record.offsets.back() + count);
   require(exr::can_unpack_to(record.offsets.back() * kBytesPerEntry, file_bytes),
           "the file is damaged: it promises more samples than it can hold");
   record.entries.resize(record.offsets.back());
 
-  EntryFrame entries(window, record.offsets, record.entries.data());
-  std::vector<char> is_present(record.words.size());
-  for_each_block(window, [&](int y0, int y1) {
-    part.setFrameBuffer(entries.lines(y0, y1, counts.data()));
-    part.readPixels(y0, y1 - 1);
-    const auto width = static_cast<std::size_t>(window.width());
-    const std::size_t first = static_cast<std::size_t>(y0 - window.y0) * width;
-    const std::size_t last = static_cast<std::size_t>(y1 - window.y0) * width;
-    for (std::size_t i = first; i < last; ++i)
-      check_pixel(&record.entries[record.offsets[i]], &record.entries[record.offsets[i + 1]], is_present);
-  });
-  require(std::find(is_present.begin(), is_present.end(), 0) == is_present.end(),
-          "the id manifest has a word that no pixel has");
+  frame.point_at(record.entries.data(), record.offsets);
+  part.readPixels(window.y0, window.y1 - 1);
+  check_entries(record);
 }
 
 std::vector<Rgb> read_non_path(Imf::InputPart part, const Window& window) {

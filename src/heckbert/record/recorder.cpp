@@ -10,10 +10,6 @@ namespace heckbert::record {
 
 namespace {
 
-bool is_recordable(float v) {
-  return v >= 0 && v <= std::numeric_limits<float>::max();
-}
-
 void add_to(BatchSums& sums, const BatchSums& more) {
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += more[i];
 }
@@ -116,19 +112,27 @@ Tile TileRecorder::end_tile() {
     tile_.batch_sums.push_back(batch_sums_[old]);
   }
 
-  tile_.entries.reserve(entries_.size());
+  // Counting sort, first by word and then, keeping that order, by pixel.
+  std::vector<std::size_t> places(order.size() + 1);
+  for (Entry& entry : entries_) {
+    entry.word = rank[entry.word];
+    ++places[entry.word + 1];
+  }
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  struct Place {
+    std::uint32_t entry, pixel;
+  };
+  std::vector<Place> by_word(entries_.size());
   tile_.offsets.reserve(pixels_.size() + 1);
   tile_.offsets.push_back(0);
-  for (const Range& pixel : pixels_) {
-    const auto first = static_cast<std::ptrdiff_t>(tile_.entries.size());
-    for (std::size_t e = pixel.first; e < pixel.last; ++e) {
-      tile_.entries.push_back(entries_[e]);
-      tile_.entries.back().word = rank[entries_[e].word];
-    }
-    std::sort(tile_.entries.begin() + first, tile_.entries.end(),
-              [](const Entry& a, const Entry& b) { return a.word < b.word; });
-    tile_.offsets.push_back(tile_.entries.size());
+  for (std::uint32_t pixel = 0; pixel < pixels_.size(); ++pixel) {
+    const Range& range = pixels_[pixel];
+    for (std::uint32_t e = range.first; e < range.last; ++e) by_word[places[entries_[e].word]++] = {e, pixel};
+    tile_.offsets.push_back(tile_.offsets.back() + (range.last - range.first));
   }
+  tile_.entries.resize(entries_.size());
+  std::vector<std::size_t> next(tile_.offsets.begin(), tile_.offsets.end() - 1);
+  for (const Place& place : by_word) tile_.entries[next[place.pixel]++] = entries_[place.entry];
 
   for (const auto node : tile_nodes_) slots_[node].tile_word = kNoWord;
   tile_nodes_.clear();
@@ -138,7 +142,7 @@ Tile TileRecorder::end_tile() {
 }
 
 bool TileRecorder::accept(Rgb value) {
-  if (is_recordable(value.r) && is_recordable(value.g) && is_recordable(value.b)) return true;
+  if (is_recordable(value)) return true;
   ++(is_finite(value) ? tile_.tally.rejected_negative : tile_.tally.rejected_not_finite);
   return false;
 }
@@ -154,7 +158,7 @@ void TileRecorder::enlist(taxonomy::WordTrie::Node node, Slot& slot) {
 void TileRecorder::finish_pixel() {
   if (pixel_samples_ == 0) return;
   const double samples = pixel_samples_;
-  pixels_[pixel_].first = entries_.size();
+  pixels_[pixel_].first = static_cast<std::uint32_t>(entries_.size());
   for (const auto node : pixel_nodes_) {
     Slot& slot = slots_[node];
     const Rgb mean{static_cast<float>(slot.r / samples), static_cast<float>(slot.g / samples),
@@ -163,7 +167,7 @@ void TileRecorder::finish_pixel() {
     slot.r = slot.g = slot.b = 0;
     slot.count = 0;
   }
-  pixels_[pixel_].last = entries_.size();
+  pixels_[pixel_].last = static_cast<std::uint32_t>(entries_.size());
   for (std::vector<Rgb>* buffer : {&tile_.ambient, &tile_.phantom})
     if (!buffer->empty()) (*buffer)[pixel_] = (*buffer)[pixel_] / static_cast<float>(pixel_samples_);
   pixel_nodes_.clear();

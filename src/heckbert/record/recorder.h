@@ -55,7 +55,7 @@ class TileRecorder final : public PathSink {
   };
   /// The current tile's entries of one pixel: [first, last) of entries_.
   struct Range {
-    std::size_t first = 0, last = 0;
+    std::uint32_t first = 0, last = 0;
   };
 
   bool accept(Rgb value);
