@@ -1,0 +1,30 @@
+#pragma once
+// The text of an expression and the errors found in it so far. The expression may be a part of a larger document (a
+// value in a grammar file): errors are placed in the document.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <heckbert/taxonomy/error.h>
+
+namespace heckbert::taxonomy {
+
+struct ExpressionSource {
+  std::string_view name;      ///< of the document, for errors
+  std::string_view document;  ///< offsets count from its beginning
+  std::size_t begin = 0;      ///< the expression is [begin, end)
+  std::size_t end = 0;
+  std::vector<Diagnostic> errors;
+
+  void report(std::size_t offset, std::size_t length, std::string message, std::string suggestion = {}) {
+    errors.push_back(diagnose(name, document, offset, length, std::move(message), std::move(suggestion)));
+  }
+  std::string text(std::size_t offset, std::size_t length) const {
+    return std::string(document.substr(offset, length));
+  }
+};
+
+}  // namespace heckbert::taxonomy

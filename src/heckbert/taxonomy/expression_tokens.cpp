@@ -1,0 +1,434 @@
+#include <heckbert/taxonomy/expression_tokens.h>
+
+#include <algorithm>
+#include <array>
+
+#include <heckbert/taxonomy/utf8.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+bool is_upper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool is_name(char c) {
+  return is_lower(c) || is_upper(c) || is_digit(c) || c == '-' || c == '_';
+}
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+std::string did_you_mean(std::string_view text) {
+  return "did you mean " + quoted(text) + "?";
+}
+
+constexpr std::string_view kLettersExpected = "L, D, G, S, V, E, X, N or '.'";
+
+// What a letter without a subscript stands for; nothing for a character that is no letter of ours.
+SymbolSet letter_set(char c) {
+  switch (c) {
+    case '.':
+      return kEvents;
+    case 'X':
+      return with_letter('D') | with_letter('G') | with_letter('S');
+    case 'N':
+      return with_letter('D') | with_letter('G');
+    case 'C':
+      return kEyes;
+    default:
+      return with_letter(c);
+  }
+}
+
+SymbolSet subscripted_set(char letter, char subscript) {
+  return symbols_where([=](const SymbolFacts& f) { return f.letter == letter && f.subscript == subscript; });
+}
+
+// Letters that look like ours and are not; people paste them from slides and papers.
+struct Lookalike {
+  char32_t code;
+  std::string_view what;
+  std::string_view meant;
+};
+constexpr std::array kLookalikes{
+    Lookalike{U'\u0421', "a Cyrillic letter that looks like C", "C"},
+    Lookalike{U'\u0415', "a Cyrillic letter that looks like E", "E"},
+    Lookalike{U'\u0405', "a Cyrillic letter that looks like S", "S"},
+    Lookalike{U'\u0425', "a Cyrillic letter that looks like X", "X"},
+    Lookalike{U'\u0395', "a Greek letter that looks like E", "E"},
+    Lookalike{U'\u039D', "a Greek letter that looks like N", "N"},
+    Lookalike{U'\u03A7', "a Greek letter that looks like X", "X"},
+    Lookalike{U'\u0430', "a Cyrillic letter that looks like a", "a"},
+    Lookalike{U'\u0440', "a Cyrillic letter that looks like p", "p"},
+    Lookalike{U'\u0435', "a Cyrillic letter that looks like e", "e"},
+    Lookalike{U'\u00A0', "a no-break space", " "},
+    Lookalike{U'\u200B', "an invisible space", ""},
+    Lookalike{U'\uFEFF', "an invisible byte order mark", ""},
+    Lookalike{U'\u2212', "a minus sign that is not '-'", "-"},
+    Lookalike{U'\u2013', "a dash that is not '-'", "-"},
+    Lookalike{U'\u2014', "a dash that is not '-'", "-"},
+    Lookalike{U'\u2217', "an asterisk that is not '*'", "*"},
+    Lookalike{U'\u00D7', "a times sign", "*"},
+    Lookalike{U'\u222A', "the sign of union", "|"},
+    Lookalike{U'\u2229', "the sign of intersection", "&"},
+    Lookalike{U'\u00AC', "the sign of negation", "!"},
+    Lookalike{U'\u2216', "the sign of difference", "-"},
+};
+
+// Characters of other notations and what is written here instead.
+struct Foreign {
+  char written;
+  std::string_view message;
+  std::string_view suggestion;
+};
+constexpr std::array kForeign{
+    Foreign{'R', "R is no letter here: reflection is a subscript", "write Dr, Gr or Sr"},
+    Foreign{'T', "T is no letter here: transmission is a subscript", "write Dt, Gt or St"},
+    Foreign{'O', "O (an emissive object) is no letter here", "write La for area lights, L for any light"},
+    Foreign{'B', "B (the background) is no letter here", "write Le for the environment light"},
+    Foreign{'A', "A is no letter here: the ambient term and albedo are no light paths", ""},
+    Foreign{'W', "W is no letter here", ""},
+    Foreign{'>', "'>' closes nothing", "write Dr, Gt, Sr ... for reflection and transmission"},
+    Foreign{'^', "'^' negates only inside brackets, [^S]", "the complement of a whole expression is written with '!'"},
+    Foreign{',', "',' separates nothing here", "alternatives are separated by '|'"},
+    Foreign{'/', "'/' is no operator here", ""},
+    Foreign{']', "']' closes nothing", ""},
+    Foreign{'}', "'}' closes nothing", ""},
+    Foreign{'~', "'~' is no operator here", "the complement of a whole expression is written with '!'"},
+};
+
+class TokenReader {
+ public:
+  explicit TokenReader(ExpressionSource& source) : source_(source), at_(source.begin) {}
+
+  std::vector<Token> read() {
+    while (skip_blanks(), !at_end()) read_token();
+    const std::size_t end = tokens_.empty() ? source_.begin : tokens_.back().offset + tokens_.back().length;
+    tokens_.push_back({.kind = TokenKind::End, .offset = end, .length = 1});
+    return std::move(tokens_);
+  }
+
+ private:
+  bool at_end() const { return at_ >= source_.end; }
+  char peek(std::size_t ahead = 0) const { return at_ + ahead < source_.end ? source_.document[at_ + ahead] : '\0'; }
+  std::string_view rest() const { return source_.document.substr(at_, source_.end - at_); }
+
+  void skip_blanks() {
+    while (!at_end()) {
+      if (is_blank(peek()))
+        ++at_;
+      else if (peek() == '#')
+        at_ = std::min(source_.document.find('\n', at_), source_.end);
+      else
+        return;
+    }
+  }
+
+  void push(TokenKind kind, std::size_t length) { push({.kind = kind, .length = length}); }
+  void push(Token token) {
+    token.offset = at_;
+    at_ += token.length;
+    tokens_.push_back(token);
+  }
+  void push_bad(std::size_t length, std::string message, std::string suggestion = {}) {
+    source_.report(at_, length, std::move(message), std::move(suggestion));
+    push(TokenKind::Bad, length);
+  }
+
+  void read_token() {
+    switch (peek()) {
+      case '(':
+        return push(TokenKind::Open, 1);
+      case ')':
+        return push(TokenKind::Close, 1);
+      case '|':
+        return read_operator(TokenKind::Bar);
+      case '&':
+        return read_operator(TokenKind::And);
+      case '-':
+        return push(TokenKind::Minus, 1);
+      case '!':
+        return push(TokenKind::Not, 1);
+      case '*':
+        return push({.kind = TokenKind::Repeat, .length = 1, .at_least = 0});
+      case '+':
+        return push({.kind = TokenKind::Repeat, .length = 1, .at_least = 1});
+      case '?':
+        return push({.kind = TokenKind::Repeat, .length = 1, .at_least = 0, .at_most = 1});
+      case '{':
+        return read_count();
+      case '[':
+        return read_set();
+      case '@':
+        return read_name();
+      case '<':
+        return read_group();
+      case '\'':
+      case '"':
+        return read_label();
+      default: {
+        const Letter letter = read_letter();
+        if (letter.set == 0)
+          push(TokenKind::Bad, letter.length);
+        else
+          push({.kind = TokenKind::Letters, .length = letter.length, .set = letter.set});
+      }
+    }
+  }
+
+  // Programmers double these.
+  void read_operator(TokenKind kind) {
+    const char c = peek();
+    if (peek(1) == c)
+      source_.report(at_, 2, quoted(rest().substr(0, 2)) + " is no operator", did_you_mean(rest().substr(0, 1)));
+    push(kind, peek(1) == c ? 2 : 1);
+  }
+
+  struct Letter {
+    SymbolSet set = 0;  ///< empty: reported
+    std::size_t length = 1;
+  };
+
+  // One letter with its subscript, here, inside and outside brackets; does not advance.
+  Letter read_letter() {
+    const char c = peek(), subscript = is_lower(peek(1)) ? peek(1) : '\0';
+    const SymbolSet plain = letter_set(c);
+    if (plain == 0) return {0, report_unknown()};
+    if (subscript == '\0') return {plain, 1};
+    if (const SymbolSet fine = subscripted_set(c, subscript)) return {fine, 2};
+
+    // A small letter that begins no subscript may be an event in lower case.
+    const std::string written{c, subscript};
+    const char upper = static_cast<char>(subscript - 'a' + 'A');
+    if (c == '.' || c == 'X' || c == 'N' || c == 'C' || c == 'V') {
+      std::string spelled;
+      for (const Symbol s : members(plain))
+        if (facts(s).subscript == subscript) spelled += name(s);
+      if (c == 'C' && !spelled.empty())
+        source_.report(at_, 2, "C has no subscripts", did_you_mean(spelled));
+      else
+        source_.report(at_, 2, std::string(1, c) + " has no subscripts",
+                       spelled.empty() ? "" : did_you_mean("[" + spelled + "]"));
+    } else {
+      std::string known;
+      for (const Symbol s : members(plain)) known += (known.empty() ? "" : ", ") + name(s);
+      source_.report(at_, 2, quoted(written) + " is no letter; expected " + std::string(1, c) + " alone, or " + known,
+                     letter_set(upper) != 0 ? did_you_mean(std::string{c, upper}) : "");
+    }
+    return {0, 2};
+  }
+
+  // Reports whatever stands here and is no token; gives its length.
+  std::size_t report_unknown() {
+    const char c = peek();
+    if (is_lower(c)) return report_lower_case();
+    const auto foreign =
+        std::find_if(kForeign.begin(), kForeign.end(), [c](const Foreign& f) { return f.written == c; });
+    if (foreign != kForeign.end()) {
+      source_.report(at_, 1, std::string(foreign->message), std::string(foreign->suggestion));
+      return 1;
+    }
+    const Utf8Character character = utf8_at(source_.document.substr(0, source_.end), at_);
+    if (!character.valid) {
+      source_.report(at_, 1, "a byte that is not UTF-8; expected " + std::string(kLettersExpected));
+      return 1;
+    }
+    // Full-width forms are the ASCII characters at a fixed distance.
+    if (character.code >= 0xFF01 && character.code <= 0xFF5E) {
+      source_.report(at_, character.length, "a full-width character",
+                     did_you_mean(std::string(1, static_cast<char>(character.code - 0xFF01 + '!'))));
+      return character.length;
+    }
+    for (const Lookalike& l : kLookalikes)
+      if (l.code == character.code) {
+        source_.report(at_, character.length, std::string(l.what),
+                       l.meant.empty() ? "delete it" : did_you_mean(l.meant));
+        return character.length;
+      }
+    source_.report(
+        at_, character.length,
+        "unknown letter " + quoted(rest().substr(0, character.length)) + "; expected " + std::string(kLettersExpected));
+    return character.length;
+  }
+
+  // A whole run of small letters is one mistake: "ldse".
+  std::size_t report_lower_case() {
+    std::size_t length = 0;
+    std::string upper;
+    bool all_known = true;
+    for (; is_lower(peek(length)); ++length) {
+      upper += static_cast<char>(peek(length) - 'a' + 'A');
+      all_known = all_known && letter_set(upper.back()) != 0;
+    }
+    source_.report(at_, length,
+                   quoted(rest().substr(0, length)) + " is no letter: small letters are subscripts, as in Dr",
+                   all_known ? did_you_mean(upper) : "a named class is written with '@'");
+    return length;
+  }
+
+  void read_set() {
+    const std::size_t open = at_;
+    ++at_;
+    const bool negated = peek() == '^' || peek() == '!';
+    if (peek() == '!') source_.report(at_, 1, "'!' complements a whole expression", did_you_mean("^"));
+    if (negated) ++at_;
+    SymbolSet set = 0;
+    bool is_good = true;
+    std::size_t count = 0;
+    while (skip_blanks(), !at_end() && peek() != ']') {
+      if (std::string_view("|,()*+?{}&-@[!^").find(peek()) != std::string_view::npos) {
+        if (peek() == '[' || peek() == '(' || peek() == ')' || peek() == '@') break;
+        source_.report(at_, 1, quoted(rest().substr(0, 1)) + " inside brackets; letters stand side by side there",
+                       "write [DG] for D or G");
+        is_good = false;
+        ++at_;
+        continue;
+      }
+      const Letter letter = read_letter();
+      if (negated && (letter.set & ~kEvents) != 0) {
+        source_.report(at_, letter.length, "an end inside [^ ]; it takes events away from D, G, S, V",
+                       "name the ends that you want, as in [LaLe]");
+        is_good = false;
+      }
+      is_good = is_good && letter.set != 0;
+      set |= letter.set;
+      ++count;
+      at_ += letter.length;
+    }
+    const bool closed = peek() == ']' && !at_end();
+    const std::size_t end = closed ? at_ + 1 : at_;
+    at_ = open;
+    if (!closed) {
+      source_.report(open, 1, "'[' is never closed; expected ']'");
+      is_good = false;
+    } else if (is_good && count == 0) {
+      source_.report(open, end - open, "an empty set; expected at least one of D, G, S, V, L, E",
+                     negated ? "any event is written '.'" : "");
+      is_good = false;
+    }
+    if (negated) set = static_cast<SymbolSet>(kEvents & ~set);
+    if (is_good && set == 0) {
+      source_.report(open, end - open, "an empty set: nothing is left of D, G, S, V");
+      is_good = false;
+    }
+    push({.kind = is_good ? TokenKind::Letters : TokenKind::Bad, .length = end - open, .set = set});
+  }
+
+  // {n} {n,} {n,m}
+  void read_count() {
+    const std::size_t open = at_;
+    ++at_;
+    const auto least = read_number();
+    skip_blanks();
+    const bool has_comma = peek() == ',';
+    if (has_comma) ++at_;
+    const auto most = has_comma ? read_number() : least;
+    skip_blanks();
+    Token token{.kind = TokenKind::Repeat};
+    const bool closed = peek() == '}' && !at_end();
+    if (!closed) {
+      report_open_count(open);
+    } else {
+      ++at_;
+      check_count(open, least, most, has_comma);
+    }
+    token.length = at_ - open;
+    token.at_least = std::min(least.value_or(0), kMaxCount);
+    if (most) token.at_most = std::clamp(*most, token.at_least, kMaxCount);
+    at_ = open;
+    push(token);
+  }
+
+  // The number here, or nothing; saturates above kMaxCount.
+  std::optional<unsigned> read_number() {
+    skip_blanks();
+    if (!is_digit(peek())) return std::nullopt;
+    unsigned number = 0;
+    for (; is_digit(peek()); ++at_) number = std::min(number * 10 + static_cast<unsigned>(peek() - '0'), kMaxCount + 1);
+    return number;
+  }
+
+  void report_open_count(std::size_t open) {
+    const std::size_t close = rest().find_first_of("}|()*+?");
+    if (close != std::string_view::npos && rest()[close] == '}') {
+      at_ += close + 1;
+      source_.report(open, at_ - open, "a count is written {n}, {n,} or {n,m} with numbers n and m");
+    } else {
+      source_.report(open, 1, "'{' is never closed; expected {n}, {n,} or {n,m}");
+    }
+  }
+
+  void check_count(std::size_t open, std::optional<unsigned> least, std::optional<unsigned> most, bool has_comma) {
+    const std::size_t length = at_ - open;
+    if (!least)
+      source_.report(open, length, "a count without its least number; expected {n}, {n,} or {n,m}",
+                     most        ? did_you_mean("{0," + std::to_string(*most) + "}")
+                     : has_comma ? did_you_mean("*")
+                                 : "");
+    else if (*least > kMaxCount || most.value_or(0) > kMaxCount)
+      source_.report(open, length, "a count above " + std::to_string(kMaxCount) + ", the greatest that is read");
+    else if (most && *most < *least)
+      source_.report(open, length, "the least number of this count exceeds the greatest",
+                     did_you_mean("{" + std::to_string(*most) + "," + std::to_string(*least) + "}"));
+  }
+
+  // @name; a '-' that ends it is the operator.
+  void read_name() {
+    std::size_t length = 1;
+    while (is_name(peek(length))) ++length;
+    while (length > 1 && peek(length - 1) == '-') --length;
+    if (length == 1)
+      return push_bad(1, "'@' without a name; expected the name of a class or algorithm, as in @caustic");
+    push(TokenKind::Name, length);
+  }
+
+  // <RD> of light path expressions.
+  void read_group() {
+    const std::size_t close = rest().find('>');
+    const std::string message = "'<..>' groups of light path expressions are not read in this notation";
+    if (close == std::string_view::npos || close > 40) return push_bad(1, message);
+    const std::string_view inside = rest().substr(1, close - 1);
+    const char mode = inside.empty() ? '\0' : inside[0], kind = inside.size() < 2 ? '\0' : inside[1];
+    std::string spelled;
+    for (const Symbol s : members(kEvents)) {
+      const SymbolFacts& f = facts(s);
+      const bool mode_fits = mode == '.' || (mode == 'R' && f.subscript == 'r') || (mode == 'T' && f.subscript == 't');
+      if (mode_fits && f.subscript != 0 && (kind == '.' || kind == f.letter)) spelled += name(s);
+    }
+    const bool one_kind = mode == '.' && spelled.size() == 4;
+    if (one_kind) spelled.resize(1);
+    if (spelled.size() > 2) spelled = "[" + spelled + "]";
+    push_bad(close + 1, message,
+             spelled.empty() ? "write Dr, Gt, Sr ... for reflection and transmission" : did_you_mean(spelled));
+  }
+
+  // 'label' of light path expressions.
+  void read_label() {
+    const std::size_t close = rest().find(peek(), 1);
+    push_bad(close == std::string_view::npos ? 1 : close + 1,
+             "labels are not read yet; expected " + std::string(kLettersExpected),
+             "a named class or algorithm is written @name");
+  }
+
+  ExpressionSource& source_;
+  std::size_t at_;
+  std::vector<Token> tokens_;
+};
+
+}  // namespace
+
+std::vector<Token> read_tokens(ExpressionSource& source) {
+  return TokenReader(source).read();
+}
+
+}  // namespace heckbert::taxonomy

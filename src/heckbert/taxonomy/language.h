@@ -1,0 +1,76 @@
+#pragma once
+// A language: a regular set of strings over the thirteen symbols, held as its minimal complete automaton, states
+// numbered breadth-first from the start in the order of Symbol. Equal languages are therefore equal objects, and
+// operator== decides equality (design decision 6).
+//
+// Most languages here are sets of words, subsets of universe() = L (D|G|S|V)* E. Fragments such as S+D are languages
+// too, so that expressions can be built up by concatenation; complement is always taken within the universe.
+//
+// How it is built: determinize.h (subset construction) and minimize.h (partition refinement).
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <heckbert/taxonomy/symbol.h>
+#include <heckbert/taxonomy/word.h>
+
+namespace heckbert::taxonomy {
+
+using StateId = std::uint32_t;
+
+/// One state of a complete deterministic automaton.
+struct State {
+  std::array<StateId, kSymbolCount> next{};
+  bool accepting = false;
+  bool operator==(const State&) const = default;
+};
+
+/// States an automaton may have before the operation that builds it throws LimitError.
+inline constexpr std::size_t kStateBudget = 20'000;
+
+class Language {
+ public:
+  Language();  ///< the empty set
+
+  /// The language of any complete automaton whose start is state 0; minimised and renumbered. O(n log n).
+  static Language from_automaton(std::vector<State> states);
+  static Language none() { return Language(); }
+  static Language epsilon();                           ///< only the empty string
+  static Language of(Symbol symbol);                   ///< one string of one letter
+  static Language of(std::span<const Symbol> one_of);  ///< strings of one letter, any of these
+  static Language of(const Word& word);                ///< exactly this word
+  static const Language& universe();                   ///< every word: L (D|G|S|V)* E
+
+  bool operator==(const Language&) const = default;
+  const std::vector<State>& states() const { return states_; }  ///< start is 0; never empty
+
+  bool contains(const Word& word) const;
+  bool contains(std::span<const Symbol> string) const;
+  bool is_empty() const;
+  bool is_subset_of(const Language& other) const;
+  /// The shortest string, the first in the order of Symbol among the shortest; nothing when empty.
+  std::optional<std::vector<Symbol>> shortest() const;
+  /// The shortest member as a word; nothing when the language has no word.
+  std::optional<Word> shortest_word() const;
+
+ private:
+  std::vector<State> states_;
+};
+
+// Every operation throws LimitError when it would exceed `kStateBudget` states, within a fraction of a second.
+Language operator|(const Language& a, const Language& b);
+Language operator&(const Language& a, const Language& b);
+Language operator-(const Language& a, const Language& b);
+Language operator!(const Language& a);  ///< universe() - a
+Language concat(const Language& a, const Language& b);
+Language repeat(const Language& a, unsigned at_least, std::optional<unsigned> at_most);  ///< no at_most: unbounded
+Language reverse(const Language& a);
+/// { w : h(w) in a } for the letter-to-letter map h. With h sending G to D this reads a two-letter grammar over
+/// three-letter words.
+Language inverse_image(const Language& a, const std::array<Symbol, kSymbolCount>& h);
+
+}  // namespace heckbert::taxonomy

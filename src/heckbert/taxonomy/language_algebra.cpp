@@ -1,0 +1,154 @@
+// The algebra of languages: one walk over pairs of states gives union, intersection, difference and inclusion; one
+// subset construction gives concatenation, repetition and reversal.
+
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+
+#include <heckbert/taxonomy/determinize.h>
+#include <heckbert/taxonomy/language.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+// Copies of an automaton that repeat() chains, times its states; beyond it the result has no hope of its budget.
+constexpr std::size_t kChainBudget = 4'000'000;
+
+// Walks both automata at once from their starts. Calls visit(accepts_a, accepts_b) for each reachable pair of states,
+// which says whether the pair accepts; stops early when `stop_at_accepting` and one does.
+template <class Visit>
+std::vector<State> walk_pairs(const Language& a, const Language& b, Visit visit, bool stop_at_accepting = false) {
+  std::vector<std::pair<StateId, StateId>> pairs;
+  std::unordered_map<std::uint64_t, StateId> number;
+  const auto enter = [&](StateId p, StateId q) {
+    const auto [at, is_new] = number.try_emplace(std::uint64_t{p} << 32 | q, static_cast<StateId>(pairs.size()));
+    if (is_new) {
+      if (pairs.size() >= kStateBudget) throw_state_limit();
+      pairs.emplace_back(p, q);
+    }
+    return at->second;
+  };
+  std::vector<State> states;
+  enter(0, 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const State& in_a = a.states()[pairs[i].first];
+    const State& in_b = b.states()[pairs[i].second];
+    State state;
+    state.accepting = visit(in_a.accepting, in_b.accepting);
+    for (std::size_t s = 0; s < kSymbolCount; ++s) state.next[s] = enter(in_a.next[s], in_b.next[s]);
+    states.push_back(state);
+    if (stop_at_accepting && state.accepting) break;
+  }
+  return states;
+}
+
+// From here no string is accepted; minimal automata have at most one such state.
+std::vector<bool> dead_states(const Language& a) {
+  std::vector<bool> dead(a.states().size());
+  for (StateId q = 0; q < dead.size(); ++q) {
+    const State& s = a.states()[q];
+    dead[q] = !s.accepting;
+    for (const StateId to : s.next) dead[q] = dead[q] && to == q;
+  }
+  return dead;
+}
+
+}  // namespace
+
+Language operator|(const Language& a, const Language& b) {
+  return Language::from_automaton(walk_pairs(a, b, [](bool in_a, bool in_b) { return in_a || in_b; }));
+}
+
+Language operator&(const Language& a, const Language& b) {
+  return Language::from_automaton(walk_pairs(a, b, [](bool in_a, bool in_b) { return in_a && in_b; }));
+}
+
+Language operator-(const Language& a, const Language& b) {
+  return Language::from_automaton(walk_pairs(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; }));
+}
+
+Language operator!(const Language& a) {
+  return Language::universe() - a;
+}
+
+bool Language::is_subset_of(const Language& other) const {
+  const auto walked = walk_pairs(
+      *this, other, [](bool in_a, bool in_b) { return in_a && !in_b; }, true);
+  return !walked.back().accepting;
+}
+
+Language concat(const Language& a, const Language& b) {
+  const auto size_a = static_cast<StateId>(a.states().size());
+  const auto size_b = static_cast<StateId>(b.states().size());
+  const std::vector<bool> dead_a = dead_states(a), dead_b = dead_states(b);
+  const auto enter_a = [&](StateId q, Subset& to) {
+    if (!dead_a[q]) to.insert(q);
+    if (a.states()[q].accepting && !dead_b[0]) to.insert(size_a);
+  };
+  return determinize(
+      std::size_t{size_a} + size_b, [&](Subset& to) { enter_a(0, to); },
+      [&](StateId q, Symbol s, Subset& to) {
+        if (q < size_a) return enter_a(a.states()[q].next[index(s)], to);
+        const StateId next = b.states()[q - size_a].next[index(s)];
+        if (!dead_b[next]) to.insert(size_a + next);
+      },
+      [&](StateId q) { return q >= size_a && b.states()[q - size_a].accepting; });
+}
+
+Language repeat(const Language& a, unsigned at_least, std::optional<unsigned> at_most) {
+  if (at_most && *at_most < at_least) return Language::none();
+  if (at_most && *at_most == 0) return Language::epsilon();
+  if (at_least == 0) return Language::epsilon() | repeat(a, 1, at_most);
+
+  // A chain of copies; accepting in one enters the next, and without an upper bound the last enters itself.
+  const auto size = static_cast<StateId>(a.states().size());
+  const std::size_t copies = at_most.value_or(at_least);
+  if (copies * size > kChainBudget)
+    throw LimitError("it repeats an automaton of " + std::to_string(size) + " states " + std::to_string(copies) +
+                     " times");
+  const std::vector<bool> dead = dead_states(a);
+  const auto enter = [&](std::size_t copy, StateId q, Subset& to) {
+    if (dead[q]) return;
+    to.insert(static_cast<StateId>(copy * size + q));
+    if (!a.states()[q].accepting) return;
+    const bool is_empty_possible = a.states()[0].accepting;
+    for (;;) {
+      if (copy + 1 < copies)
+        ++copy;
+      else if (at_most)
+        return;
+      if (!to.insert(static_cast<StateId>(copy * size)) || !is_empty_possible) return;
+    }
+  };
+  return determinize(
+      copies * size, [&](Subset& to) { enter(0, 0, to); },
+      [&](StateId q, Symbol s, Subset& to) { enter(q / size, a.states()[q % size].next[index(s)], to); },
+      [&](StateId q) { return q / size + 1 >= at_least && a.states()[q % size].accepting; });
+}
+
+Language reverse(const Language& a) {
+  const std::size_t size = a.states().size();
+  std::vector<std::array<std::vector<StateId>, kSymbolCount>> before(size);
+  for (StateId q = 0; q < size; ++q)
+    for (std::size_t s = 0; s < kSymbolCount; ++s) before[a.states()[q].next[s]][s].push_back(q);
+  return determinize(
+      size,
+      [&](Subset& to) {
+        for (StateId q = 0; q < size; ++q)
+          if (a.states()[q].accepting) to.insert(q);
+      },
+      [&](StateId q, Symbol s, Subset& to) {
+        for (const StateId from : before[q][index(s)]) to.insert(from);
+      },
+      [](StateId q) { return q == 0; });
+}
+
+Language inverse_image(const Language& a, const std::array<Symbol, kSymbolCount>& h) {
+  std::vector<State> states = a.states();
+  for (StateId q = 0; q < states.size(); ++q)
+    for (std::size_t s = 0; s < kSymbolCount; ++s) states[q].next[s] = a.states()[q].next[index(h[s])];
+  return Language::from_automaton(std::move(states));
+}
+
+}  // namespace heckbert::taxonomy

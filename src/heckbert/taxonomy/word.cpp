@@ -1,0 +1,138 @@
+#include <heckbert/taxonomy/word.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/symbol_set.h>
+#include <heckbert/taxonomy/utf8.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+constexpr std::string_view kSource = "word";
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+
+std::string subscripts_of(char letter) {
+  std::string list;
+  for (const SymbolFacts& f : kSymbols)
+    if (f.letter == letter && f.subscript != 0) list += (list.empty() ? "" : ", ") + name(f.symbol);
+  return list;
+}
+
+struct Letter {
+  Symbol symbol;
+  std::size_t offset;
+  std::size_t length;
+};
+
+class WordReader {
+ public:
+  explicit WordReader(std::string_view text) : text_(text) {}
+
+  Word read() {
+    std::vector<Letter> letters = read_letters();
+    if (letters.empty() && errors_.empty()) report(0, 1, "an empty word; expected a path such as LDE");
+    if (errors_.empty()) check_ends(letters);
+    if (!errors_.empty()) throw InputError(errors_);
+    if (is_eye(letters.front().symbol)) std::reverse(letters.begin(), letters.end());
+    Word word{letters.front().symbol, {}, letters.back().symbol};
+    for (std::size_t i = 1; i + 1 < letters.size(); ++i) word.events.push_back(letters[i].symbol);
+    return word;
+  }
+
+ private:
+  void report(std::size_t offset, std::size_t length, std::string message, std::string suggestion = {}) {
+    errors_.push_back(diagnose(kSource, text_, offset, length, std::move(message), std::move(suggestion)));
+  }
+
+  std::vector<Letter> read_letters() {
+    std::vector<Letter> letters;
+    for (std::size_t at = 0; at < text_.size();) {
+      if (is_blank(text_[at])) {
+        ++at;
+        continue;
+      }
+      const bool subscripted = at + 1 < text_.size() && is_lower(text_[at + 1]);
+      const char letter = text_[at] == 'C' ? 'E' : text_[at];
+      const std::size_t length = subscripted ? 2 : utf8_at(text_, at).length;
+      if (const auto symbol = find_symbol(letter, subscripted ? text_[at + 1] : '\0'))
+        letters.push_back({*symbol, at, length});
+      else
+        report_letter(at, length);
+      at += length;
+    }
+    return letters;
+  }
+
+  void report_letter(std::size_t at, std::size_t length) {
+    const std::string written(text_.substr(at, length));
+    const char upper = static_cast<char>(text_[at] - 'a' + 'A');
+    if (find_symbol(text_[at], 0)) {
+      const std::string known = subscripts_of(text_[at]);
+      report(at, length,
+             "'" + written + "' is no letter; expected " +
+                 (known.empty() ? std::string(1, text_[at]) + " without a subscript" : known));
+    } else if (is_lower(text_[at]) && find_symbol(upper, 0)) {
+      report(at, length, "letters of a word are upper case", std::string("did you mean '") + upper + "'?");
+    } else if (std::string_view("XN.*+?()[]{}|").find(text_[at]) != std::string_view::npos) {
+      report(at, length, "'" + written + "' stands for several words; a word has the letters L, D, G, S, V, E only");
+    } else {
+      report(at, length, "unknown letter; a word has the letters L, D, G, S, V, E");
+    }
+  }
+
+  void check_ends(const std::vector<Letter>& letters) {
+    for (std::size_t i = 1; i + 1 < letters.size(); ++i)
+      if (!is_event(letters[i].symbol))
+        report(letters[i].offset, letters[i].length, "an end in the middle of a word; expected D, G, S or V");
+    const Letter &first = letters.front(), &last = letters.back();
+    const bool events_at_ends = is_event(first.symbol) || is_event(last.symbol);
+    if (is_event(first.symbol)) report(first.offset, first.length, "a word begins at its light (L) or at its eye (E)");
+    if (is_event(last.symbol)) report(last.offset, last.length, "a word ends at its eye (E) or at its light (L)");
+    if (!events_at_ends && facts(first.symbol).role == facts(last.symbol).role)
+      report(last.offset, last.length, "both ends are alike; a path has one light end L and one eye end E");
+  }
+
+  std::string_view text_;
+  std::vector<Diagnostic> errors_;
+};
+
+}  // namespace
+
+Word Word::from_eye_path(Symbol eye, const std::vector<Symbol>& events_from_eye, Symbol light) {
+  assert(is_eye(eye) && is_light(light));
+  return {light, {events_from_eye.rbegin(), events_from_eye.rend()}, eye};
+}
+
+std::strong_ordering Word::operator<=>(const Word& other) const {
+  if (const auto by_length = events.size() <=> other.events.size(); by_length != 0) return by_length;
+  if (const auto by_light = light <=> other.light; by_light != 0) return by_light;
+  if (const auto by_events = events <=> other.events; by_events != 0) return by_events;
+  return eye <=> other.eye;
+}
+
+std::string plain(const Word& word) {
+  std::string text(1, facts(word.light).letter);
+  for (const Symbol s : word.events) text += facts(s).letter;
+  return text + facts(word.eye).letter;
+}
+
+std::string fine(const Word& word) {
+  std::string text = name(word.light);
+  for (const Symbol s : word.events) text += name(s);
+  return text + name(word.eye);
+}
+
+Word parse_word(std::string_view text) {
+  return WordReader(text).read();
+}
+
+}  // namespace heckbert::taxonomy
