@@ -1,0 +1,256 @@
+#include <algorithm>
+
+#include <heckbert/import/scene_format.h>
+#include <heckbert/import/words.h>
+
+namespace heckbert::import {
+namespace {
+
+using namespace transport;
+
+/// The parameters of every kind of lobe; each kind reads its own.
+struct LobeDraft {
+  Rgb albedo, reflectance, f0;
+  Rgb reflection_tint{1.0f}, transmission_tint{1.0f};
+  float ior = 1.5f;
+  std::optional<float> roughness, alpha;
+  float exponent = 0;
+};
+
+struct LobeKind {
+  std::string name;
+  std::string meaning;
+  std::vector<Key<LobeDraft>> keys;
+  Lobe (*build)(Reader&, const JsonNode&, const LobeDraft&);
+};
+
+// Below these a rough mirror is a mirror in all but letter, and numerically worse.
+constexpr Range kAlpha{0.001, 1};
+constexpr Range kRoughness{0.03, 1};
+
+Lobe build_ggx(Reader& in, const JsonNode& node, const LobeDraft& d) {
+  if (d.roughness.has_value() == d.alpha.has_value()) {
+    const bool none = !d.roughness;
+    if (!none || (node.find("roughness") == nullptr && node.find("alpha") == nullptr)) {
+      in.error(node, none ? "a ggx lobe needs \"roughness\" or \"alpha\""
+                          : "a ggx lobe takes \"roughness\" or \"alpha\", not both: alpha is roughness squared");
+    }
+  }
+  return Ggx{d.f0, d.alpha.value_or(d.roughness.value_or(1.0f) * d.roughness.value_or(1.0f))};
+}
+
+const std::vector<LobeKind>& lobe_kinds() {
+  using D = LobeDraft;
+  static const std::vector<LobeKind> kKinds{
+      {"lambert",
+       "Diffuse reflection. Letter D.",
+       {key("albedo", Colour{kUnit}, &D::albedo, kRequired, "share of the light that is reflected")},
+       [](Reader&, const JsonNode&, const D& d) -> Lobe { return Lambert{d.albedo}; }},
+      {"mirror",
+       "Perfect mirror. Letter S.",
+       {key("reflectance", Colour{kUnit}, &D::reflectance, kRequired, "share of the light that is reflected")},
+       [](Reader&, const JsonNode&, const D& d) -> Lobe { return Mirror{d.reflectance}; }},
+      {"dielectric",
+       "Smooth glass, water, air bubble: exact Fresnel and Snell, vacuum in front of the surface. Letter S.",
+       {key("ior", Number{{0.2, 5}}, &D::ior, "1.5", "index of refraction behind the surface; below 1 for a bubble"),
+        key("reflection_tint", Colour{kUnit}, &D::reflection_tint, "1", "multiplies what Fresnel reflects"),
+        key("transmission_tint", Colour{kUnit}, &D::transmission_tint, "1", "multiplies what Fresnel transmits")},
+       [](Reader&, const JsonNode&, const D& d) -> Lobe {
+         return Dielectric{d.ior, d.reflection_tint, d.transmission_tint};
+       }},
+      {"ggx",
+       "Rough metal: GGX microfacets with Schlick's Fresnel. Letter G. Takes `roughness` or `alpha`, not both; for a "
+       "perfectly smooth one use `mirror`.",
+       {key("f0", Colour{kUnit}, &D::f0, kRequired, "reflectance at normal incidence"),
+        key("roughness", Number{kRoughness}, &D::roughness, "from `alpha`", "what artists call roughness"),
+        key("alpha", Number{kAlpha}, &D::alpha, "roughness squared", "width parameter of the distribution")},
+       build_ggx},
+      {"phong",
+       "Normalised Phong lobe around the mirror direction. Letter G.",
+       {key("reflectance", Colour{kUnit}, &D::reflectance, kRequired, "share of the light that is reflected"),
+        key("exponent", Number{{0, 1e5}}, &D::exponent, kRequired, "higher is sharper")},
+       [](Reader&, const JsonNode&, const D& d) -> Lobe {
+         return Phong{d.reflectance, d.exponent};
+       }}};
+  return kKinds;
+}
+
+const Choice& lobe_types() {
+  static const Choice kTypes = [] {
+    Choice choice;
+    for (const LobeKind& kind : lobe_kinds()) {
+      choice.words.push_back(kind.name);
+    }
+    return choice;
+  }();
+  return kTypes;
+}
+
+const std::vector<Key<LobeDraft>>& lobe_type_key() {
+  static const std::vector<Key<LobeDraft>> kKeys{type_key<LobeDraft>(lobe_types(), "the kind of lobe")};
+  return kKeys;
+}
+
+struct Emission {
+  Rgb radiance;
+  Sides sides = Sides::Front;
+};
+
+const std::vector<Key<Emission>>& emission_keys() {
+  static const std::vector<Key<Emission>> kKeys{
+      key("radiance", Colour{kNotNegative}, &Emission::radiance, kRequired, "emitted in every direction"),
+      key("sides", Choice{{"front", "both"}}, &Emission::sides, "front", "which sides of the surface emit")};
+  return kKeys;
+}
+
+void read_emission(Reader& in, const JsonNode& node, Emission& out) {
+  if (node.kind == JsonNode::Kind::Object) {
+    read_object(in, node, "emission", emission_keys(), out);
+  } else {
+    Colour{kNotNegative}.read(in, node, out.radiance);
+  }
+}
+
+struct MaterialDraft {
+  std::string name;
+  const JsonNode* type = nullptr;
+  const JsonNode* lobes = nullptr;
+  Emission emission;
+  Rgb phantom_reflectance;
+  std::optional<Rgb> ambient_reflectance;
+};
+
+const std::vector<Key<MaterialDraft>>& material_keys() {
+  using D = MaterialDraft;
+  static const std::vector<Key<D>> kKeys{
+      key("name", Text{}, &D::name, kRequired, "what shapes call it"),
+      key("type", Later{lobe_types().describe()}, &D::type, "from `lobes`",
+          "one lobe, whose keys stand beside this one"),
+      key("lobes", Later{"list of lobes, at most " + std::to_string(kMaxLobes)}, &D::lobes, "from `type`",
+          "reflection as a sum of lobes; `[]` for a black surface"),
+      key("emission",
+          Custom<Emission>{"colour, each " + kNotNegative.describe() + ", or an emission object", read_emission},
+          &D::emission, "0", "radiance that the surface emits; it reflects all the same"),
+      key("phantom_reflectance", Colour{kUnit}, &D::phantom_reflectance, "0",
+          "weight of the mirror ray that the lecture's tracer follows at diffuse surfaces; no light path"),
+      key("ambient_reflectance", Colour{kUnit}, &D::ambient_reflectance, "sum of the Lambert albedos",
+          "factor of the ambient term of the recursive tracers; no light path")};
+  return kKeys;
+}
+
+/// The lobe that `node` describes; `beside` are keys that may stand in the same object.
+std::optional<Lobe> read_lobe(Reader& in, const JsonNode& node, const std::string& what, std::vector<BoundKey> beside) {
+  const auto type = read_type(in, node, what, lobe_types());
+  if (!type) {
+    return {};
+  }
+  const LobeKind& kind = lobe_kinds()[*type];
+  LobeDraft draft;
+  bind(kind.keys, draft, beside);
+  read_object(in, node, what + " of type " + kind.name, beside);
+  return kind.build(in, node, draft);
+}
+
+void read_lobes(Reader& in, const JsonNode& node, std::vector<Lobe>& out) {
+  read_list(in, node, "a list of lobes", [&](const JsonNode& item) {
+    LobeDraft unused;
+    std::vector<BoundKey> type;
+    bind(lobe_type_key(), unused, type);
+    if (const auto lobe = read_lobe(in, item, "lobe", type)) {
+      out.push_back(*lobe);
+    }
+  });
+  if (node.items.size() > kMaxLobes) {
+    in.error(node, "a material has at most " + std::to_string(kMaxLobes) + " lobes, found " +
+                       std::to_string(node.items.size()));
+  }
+}
+
+void check_energy(Reader& in, const JsonNode& node, const Material& material) {
+  constexpr float kRounding = 1e-4f;
+  const Rgb sum = max_albedo(material);
+  if (max_channel(sum) > 1 + kRounding) {
+    in.error(node, "material \"" + material.name + "\" reflects more light than it receives: " + describe(material) +
+                       " add up to " + to_text(sum) + ", expected at most 1 in each channel");
+  }
+}
+
+}  // namespace
+
+Material read_material(Reader& in, const JsonNode& node) {
+  MaterialDraft draft;
+  std::vector<BoundKey> keys;
+  bind(material_keys(), draft, keys);
+  Material material;
+  if (node.kind == JsonNode::Kind::Object && node.find("type") != nullptr) {
+    if (const auto lobe = read_lobe(in, node, "material", keys)) {
+      material.lobes.push_back(*lobe);
+    } else if (const JsonNode* name = node.find("name")) {
+      Text::read(in, *name, draft.name);
+    }
+  } else {
+    read_object(in, node, "material", keys);
+  }
+  if (draft.type != nullptr && draft.lobes != nullptr) {
+    in.error(*draft.lobes, "a material takes \"type\" or \"lobes\", not both");
+  } else if (draft.lobes != nullptr) {
+    read_lobes(in, *draft.lobes, material.lobes);
+  } else if (node.kind == JsonNode::Kind::Object && node.find("type") == nullptr && node.find("emission") == nullptr) {
+    in.error(node, "this material says nothing about light: give it \"type\", \"lobes\" or \"emission\"",
+             "\"lobes\": [] makes a black surface");
+  }
+  material.name = draft.name;
+  material.emission = draft.emission.radiance;
+  material.emission_sides = draft.emission.sides;
+  material.phantom_reflectance = draft.phantom_reflectance;
+  material.ambient_reflectance = draft.ambient_reflectance;
+  check_energy(in, node, material);
+  return material;
+}
+
+std::string describe(const Material& material) {
+  struct Name {
+    std::string operator()(const Lambert& l) const { return "Lambert " + to_text(l.albedo); }
+    std::string operator()(const Mirror& l) const { return "mirror " + to_text(l.reflectance); }
+    std::string operator()(const Dielectric& l) const {
+      std::string out = "dielectric of index " + to_text(static_cast<double>(l.ior));
+      if (l.reflection_tint != Rgb(1) || l.transmission_tint != Rgb(1)) {
+        out += " tinted " + to_text(l.reflection_tint) + " and " + to_text(l.transmission_tint);
+      }
+      return out;
+    }
+    std::string operator()(const Ggx& l) const {
+      return "GGX " + to_text(l.f0) + " of alpha " + to_text(static_cast<double>(l.alpha));
+    }
+    std::string operator()(const Phong& l) const {
+      return "Phong " + to_text(l.reflectance) + " of exponent " + to_text(static_cast<double>(l.exponent));
+    }
+  };
+  std::vector<std::string> parts;
+  for (const Lobe& lobe : material.lobes) {
+    parts.push_back(std::visit(Name{}, lobe));
+  }
+  if (!is_black(material.emission)) {
+    parts.push_back("emits " + to_text(material.emission) +
+                    (material.emission_sides == Sides::Both ? " on both sides" : ""));
+  }
+  return parts.empty() ? "black" : join(parts);
+}
+
+std::vector<ObjectFacts> material_format() {
+  std::vector<ObjectFacts> out{
+      facts_of("material",
+               "How a surface reflects and emits: one lobe by `type`, or several by `lobes`. Reflectances may not add "
+               "up to more than 1.",
+               material_keys()),
+      facts_of("emission", "Emission that says which sides emit.", emission_keys())};
+  for (const LobeKind& kind : lobe_kinds()) {
+    out.push_back(facts_of("lobe of type " + kind.name, kind.meaning, lobe_type_key()));
+    for (const Key<LobeDraft>& k : kind.keys) {
+      out.back().keys.push_back(k.facts);
+    }
+  }
+  return out;
+}
+
+}  // namespace heckbert::import

@@ -1,0 +1,53 @@
+#include <heckbert/import/mesh.h>
+
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace heckbert::import {
+
+using transport::Mesh;
+
+bool has_area(const Mesh& mesh, glm::uvec3 triangle) {
+  const glm::vec3 a = mesh.positions[triangle.x];
+  const glm::vec3 u = mesh.positions[triangle.y] - a;
+  const glm::vec3 v = mesh.positions[triangle.z] - a;
+  return glm::length(glm::cross(u, v)) > 0;
+}
+
+void transform(Mesh& mesh, const glm::mat4& to_world) {
+  for (glm::vec3& p : mesh.positions) {
+    p = glm::vec3(to_world * glm::vec4(p, 1));
+  }
+  const glm::mat3 linear(to_world);
+  const glm::mat3 of_normals = glm::transpose(glm::inverse(linear));
+  for (glm::vec3& n : mesh.normals) {
+    n = of_normals * n;
+    if (const float length = glm::length(n); length > 0) {
+      n /= length;
+    }
+  }
+  if (glm::determinant(linear) < 0) {
+    for (glm::uvec3& t : mesh.triangles) {
+      std::swap(t.y, t.z);
+    }
+  }
+}
+
+void append(Mesh& mesh, const Mesh& more) {
+  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+  const bool keep_normals = !more.normals.empty() && (base == 0 || !mesh.normals.empty());
+  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
+  for (const glm::uvec3 t : more.triangles) {
+    mesh.triangles.push_back(t + base);
+  }
+  if (keep_normals) {
+    mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
+  } else {
+    mesh.normals.clear();
+  }
+}
+
+}  // namespace heckbert::import

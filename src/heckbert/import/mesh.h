@@ -1,0 +1,19 @@
+#pragma once
+// Small services on meshes that more than one importer needs.
+
+#include <glm/mat4x4.hpp>
+
+#include <heckbert/transport/scene.h>
+
+namespace heckbert::import {
+
+/// Whether the triangle is more than a line or a point, in float arithmetic.
+bool has_area(const transport::Mesh& mesh, glm::uvec3 triangle);
+
+/// Moves positions and normals. A transform that mirrors also reverses the corners, so that the front stays the front.
+void transform(transport::Mesh& mesh, const glm::mat4& to_world);
+
+/// Adds the triangles of `more`. Normals survive when both have them or `mesh` is empty.
+void append(transport::Mesh& mesh, const transport::Mesh& more);
+
+}  // namespace heckbert::import
