@@ -1,0 +1,142 @@
+#include <heckbert/transport/path_tracer.h>
+
+#include <algorithm>
+
+namespace heckbert::transport {
+
+using record::PathEnd;
+using taxonomy::Symbol;
+
+namespace {
+
+/// Paths of fewer scatterings than this are never ended by roulette.
+constexpr int kRouletteStart = 4;
+constexpr float kHighestSurvival = 0.95f;
+
+/// How a path goes on from a vertex.
+struct Continuation {
+  Ray ray;
+  Symbol event = Symbol::Dr;
+  Rgb factor;  ///< f cos / p of the chosen lobe, every choice divided out
+  bool by_delta = false;
+  float pdf_solid_angle = 0;  ///< of the mixture; 0 after a delta lobe
+  float radiance_scale = 1;   ///< the compression of radiance in `factor`, which roulette must not see
+};
+
+/// The index drawn from weights that add up to `total`.
+template <class Weights>
+std::size_t draw(const Weights& weights, std::size_t count, float total, float u) {
+  float left = u * total;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (weights[i] <= 0) continue;
+    last = i;
+    if (left < weights[i]) break;
+    left -= weights[i];
+  }
+  return last;
+}
+
+std::optional<Continuation> follow_delta(const Vertex& vertex, std::size_t lobe, float u) {
+  const DeltaBranches branches = delta_branches(vertex.material->lobes[lobe], vertex.wo, vertex.hit.front);
+  const float reflect = max_channel(branches.reflected.weight);
+  // The choice goes by energy, not by radiance, which changes with the medium.
+  const float transmit =
+      branches.transmitted ? max_channel(branches.transmitted->weight) / branches.transmitted->radiance_scale : 0.0f;
+  if (!(reflect + transmit > 0)) return std::nullopt;
+  const float p_reflect = reflect / (reflect + transmit);
+  const bool transmitted = u >= p_reflect;
+  const DeltaBranch& branch = transmitted ? *branches.transmitted : branches.reflected;
+  const float probability = vertex.selection[lobe] * (transmitted ? 1.0f - p_reflect : p_reflect);
+  return Continuation{.ray = vertex.leave(branch.wi, transmitted),
+                      .event = branch.event,
+                      .factor = branch.weight / probability,
+                      .by_delta = true,
+                      .pdf_solid_angle = 0,
+                      .radiance_scale = branch.radiance_scale};
+}
+
+std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t sampled, glm::vec2 u, float u_lobe) {
+  const auto& lobes = vertex.material->lobes;
+  const std::optional<glm::vec3> local = sample_direction(lobes[sampled], vertex.wo, u);
+  if (!local) return std::nullopt;
+  const std::optional<glm::vec3> wi = vertex.reflected(vertex.frame.to_world(*local));
+  if (!wi) return std::nullopt;
+  const float pdf = vertex.pdf_solid_angle(*wi);
+  if (!(pdf > 0)) return std::nullopt;
+
+  std::array<Rgb, kMaxLobes> value{};
+  std::array<float, kMaxLobes> weight{};
+  float total = 0;
+  for (std::size_t i = 0; i < lobes.size(); ++i) {
+    value[i] = evaluate(lobes[i], vertex.wo, *wi);
+    weight[i] = max_channel(value[i]);
+    total += weight[i];
+  }
+  if (!(total > 0)) return std::nullopt;
+  const std::size_t lobe = draw(weight, lobes.size(), total, u_lobe);
+  return Continuation{.ray = vertex.leave(*wi, false),
+                      .event = letter(lobes[lobe]),
+                      .factor = value[lobe] * (wi->z * total / (pdf * weight[lobe])),
+                      .by_delta = false,
+                      .pdf_solid_angle = pdf,
+                      .radiance_scale = 1.0f};
+}
+
+std::optional<Continuation> follow(const Vertex& vertex, Sampler& sampler) {
+  const float u_choice = sampler.next();
+  const float u_lobe = sampler.next();
+  const glm::vec2 u = sampler.next2();
+  if (!(vertex.total_weight > 0)) return std::nullopt;
+  const std::size_t lobe = draw(vertex.selection, vertex.material->lobes.size(), 1.0f, u_choice);
+  return is_delta(vertex.material->lobes[lobe]) ? follow_delta(vertex, lobe, u_lobe)
+                                                : follow_non_delta(vertex, lobe, u, u_lobe);
+}
+
+}  // namespace
+
+void trace_path(const World& world, Walk& walk, Ray ray) {
+  taxonomy::WordTrie::Node node = walk.sink.words().eye(world.eye.kind());
+  Rgb throughput(1.0f);
+  float radiance_scale = 1;
+  float pdf_arrival = 0;  // 0: a light here could not have been found by next-event estimation
+  glm::vec3 previous{0};
+
+  for (int depth = 0;; ++depth) {
+    ++walk.rays;
+    const std::optional<Hit> hit = world.tracer.intersect(ray);
+    if (!hit) {
+      if (const Rgb sky = world.lights.environment(); !is_black(sky)) {
+        const float weight = pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_environment()) : 1.0f;
+        add_hit(walk, node, Symbol::Le, throughput * sky * weight);
+      }
+      return walk.sink.end_path(PathEnd::Escaped);
+    }
+    if (const Rgb emitted = world.lights.emitted(*hit); !is_black(emitted)) {
+      const float weight =
+          pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_solid_angle(*hit, previous)) : 1.0f;
+      add_hit(walk, node, Symbol::La, throughput * emitted * weight);
+    }
+    if (depth == world.max_depth) return walk.sink.end_path(PathEnd::DepthLimit);
+
+    const Vertex vertex(world.scene, *hit, ray.direction);
+    if (vertex.has_non_delta) gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
+
+    const std::optional<Continuation> next = follow(vertex, walk.sampler);
+    if (!next) return walk.sink.end_path(PathEnd::Absorbed);
+    throughput *= next->factor;
+    radiance_scale *= next->radiance_scale;
+    if (is_black(throughput)) return walk.sink.end_path(PathEnd::Absorbed);
+    if (depth + 1 >= kRouletteStart) {
+      const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
+      if (walk.sampler.next() >= survival) return walk.sink.end_path(PathEnd::Roulette);
+      throughput *= 1.0f / survival;
+    }
+    node = walk.step(node, next->event);
+    pdf_arrival = next->pdf_solid_angle;
+    previous = hit->position;
+    ray = next->ray;
+  }
+}
+
+}  // namespace heckbert::transport

@@ -1,0 +1,128 @@
+#include <heckbert/transport/recursive_tracer.h>
+
+namespace heckbert::transport {
+
+using record::NonPath;
+using record::PathEnd;
+using taxonomy::Symbol;
+
+namespace {
+
+/// Branches that carry less than this share are ended by roulette, so that the tree of a glass ball stays small without
+/// losing energy on average (Hall and Greenberg 1983 cut it off instead).
+constexpr float kThinBranch = 1.0f / 64.0f;
+
+struct Branch {
+  Ray ray;
+  taxonomy::WordTrie::Node node = 0;
+  Rgb weight{1.0f};
+  float radiance_scale = 1;  ///< compression of radiance in `weight`; see path_tracer.cpp
+  int depth = 0;
+  bool phantom = false;
+};
+
+class Tree {
+ public:
+  Tree(const World& world, Walk& walk, const RecursiveOptions& options)
+      : world_(world), walk_(walk), options_(options) {}
+
+  void trace(const Branch& branch) {
+    ++walk_.rays;
+    const std::optional<Hit> hit = world_.tracer.intersect(branch.ray);
+    if (!hit) {
+      add(branch, Symbol::Le, world_.lights.environment());
+      return walk_.sink.end_path(PathEnd::Escaped);
+    }
+    add(branch, Symbol::La, world_.lights.emitted(*hit));
+    const Vertex vertex(world_.scene, *hit, branch.ray.direction);
+    add_ambient(branch, *vertex.material);
+    if (branch.depth == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
+    shade(branch, vertex);
+    bool spawned = false;
+    for (const Lobe& lobe : vertex.material->lobes)
+      if (is_delta(lobe)) spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
+    if (options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
+      spawned |= spawn_phantom(branch, vertex);
+    if (!spawned) walk_.sink.end_path(PathEnd::Absorbed);
+  }
+
+ private:
+  void add(const Branch& branch, Symbol light, Rgb radiance) {
+    if (is_black(radiance)) return;
+    if (branch.phantom)
+      walk_.sink.add_non_path(NonPath::Phantom, branch.weight * radiance);
+    else
+      add_hit(walk_, branch.node, light, branch.weight * radiance);
+  }
+
+  void add_ambient(const Branch& branch, const Material& material) {
+    if (is_black(world_.scene.ambient)) return;
+    Rgb k_a;
+    for (const Lobe& lobe : material.lobes)
+      if (const auto* lambert = std::get_if<Lambert>(&lobe)) k_a += lambert->albedo;
+    k_a = material.ambient_reflectance.value_or(k_a);
+    walk_.sink.add_non_path(branch.phantom ? NonPath::Phantom : NonPath::Ambient,
+                            branch.weight * k_a * world_.scene.ambient);
+  }
+
+  void shade(const Branch& branch, const Vertex& vertex) {
+    if (!vertex.has_non_delta) return;
+    const DirectLight rule{.multiple_importance = false, .glossy = options_.glossy_highlights};
+    if (branch.phantom) {
+      const Rgb light = direct_light(world_, walk_, vertex, rule);
+      if (!is_black(light)) walk_.sink.add_non_path(NonPath::Phantom, branch.weight * light);
+    } else {
+      gather_direct_light(world_, walk_, vertex, branch.node, branch.weight, rule);
+    }
+  }
+
+  bool spawn(const Branch& branch, const Vertex& vertex, const DeltaBranches& children) {
+    const bool reflected = spawn(branch, vertex, children.reflected, false);
+    const bool transmitted = children.transmitted && spawn(branch, vertex, *children.transmitted, true);
+    return reflected || transmitted;
+  }
+
+  bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted) {
+    if (is_black(child.weight)) return false;
+    Branch next{.ray = vertex.leave(child.wi, transmitted),
+                .node = parent.phantom ? parent.node : walk_.step(parent.node, child.event),
+                .weight = parent.weight * child.weight,
+                .radiance_scale = parent.radiance_scale * child.radiance_scale,
+                .depth = parent.depth + 1,
+                .phantom = parent.phantom};
+    descend(next);
+    return true;
+  }
+
+  bool spawn_phantom(const Branch& parent, const Vertex& vertex) {
+    Branch next = parent;
+    next.ray = vertex.leave({-vertex.wo.x, -vertex.wo.y, vertex.wo.z}, false);
+    next.weight *= vertex.material->phantom_reflectance;
+    next.depth += 1;
+    next.phantom = true;
+    descend(next);
+    return true;
+  }
+
+  void descend(Branch& branch) {
+    const float strength = max_channel(branch.weight) / branch.radiance_scale;
+    if (strength < kThinBranch) {
+      const float survival = strength / kThinBranch;
+      if (walk_.sampler.next() >= survival) return walk_.sink.end_path(PathEnd::Roulette);
+      branch.weight *= 1.0f / survival;
+    }
+    trace(branch);
+  }
+
+  const World& world_;
+  Walk& walk_;
+  const RecursiveOptions& options_;
+};
+
+}  // namespace
+
+void trace_recursively(const World& world, Walk& walk, const Ray& ray, const RecursiveOptions& options) {
+  Tree(world, walk, options).trace({.ray = ray, .node = walk.sink.words().eye(world.eye.kind())});
+}
+
+}  // namespace heckbert::transport

@@ -1,0 +1,22 @@
+#pragma once
+// The recursive ray tracer of Whitted 1980 ("An Improved Illumination Model for Shaded Display") and of the lecture: a
+// real tree of rays. Mirrors spawn a reflected ray; every dielectric spawns a reflected and a refracted one, weighted
+// by the exact Fresnel k_r and k_t; diffuse surfaces end the branch with direct light, shadow rays included. It finds
+// L(D|G)?S*E (Whitted) or LD?S*E (the lecture) and nothing else.
+//
+// Two things it shows are no light paths and never enter a word: the ambient term (its own buffer), and, in the
+// lecture's variant, the ray continued in the mirror direction at a diffuse surface, all of whose light goes to the
+// phantom buffer.
+
+#include <heckbert/transport/vertex.h>
+
+namespace heckbert::transport {
+
+struct RecursiveOptions {
+  bool glossy_highlights = true;   ///< shade glossy lobes by the direct light, as a Phong highlight
+  bool mirror_at_diffuse = false;  ///< the lecture's continued ray, weighted by Material::phantom_reflectance
+};
+
+void trace_recursively(const World& world, Walk& walk, const Ray& ray, const RecursiveOptions& options);
+
+}  // namespace heckbert::transport

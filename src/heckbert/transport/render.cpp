@@ -1,0 +1,209 @@
+#include <heckbert/transport/render.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <heckbert/record/recorder.h>
+#include <heckbert/transport/path_tracer.h>
+#include <heckbert/transport/recursive_tracer.h>
+
+namespace heckbert::transport {
+
+using record::Window;
+
+namespace {
+
+constexpr int kTileSize = 32;
+
+Window picture_window(const RenderSettings& settings) {
+  return settings.crop.value_or(Window{0, 0, settings.width, settings.height});
+}
+
+void check(const Scene& scene, const RenderSettings& settings) {
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument(what);
+  };
+  constexpr int kLargestSide = 1 << 16;
+  require(
+      settings.width > 0 && settings.height > 0 && settings.width <= kLargestSide && settings.height <= kLargestSide,
+      fmt::format("the picture's size must be 1 to {} pixels a side, not {}x{}", kLargestSide, settings.width,
+                  settings.height));
+  require(settings.samples_per_pixel > 0,
+          fmt::format("samples per pixel must be at least 1, not {}", settings.samples_per_pixel));
+  require(settings.max_depth >= 0, fmt::format("the maximum depth must not be negative, like {}", settings.max_depth));
+  require(settings.threads >= 0, fmt::format("the number of threads must not be negative, like {}", settings.threads));
+  const Window w = picture_window(settings);
+  require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= settings.width && w.y1 <= settings.height,
+          fmt::format("the crop {},{},{},{} is not inside the {}x{} picture", w.x0, w.y0, w.x1, w.y1, settings.width,
+                      settings.height));
+  for (const Material& material : scene.materials)
+    require(material.lobes.size() <= kMaxLobes, fmt::format("material '{}' has {} lobes, at most {} are possible",
+                                                            material.name, material.lobes.size(), kMaxLobes));
+}
+
+/// Tiles row by row, so that a picture fills from the top.
+std::vector<Window> tiles_of(const Window& window) {
+  std::vector<Window> tiles;
+  for (int y = window.y0; y < window.y1; y += kTileSize)
+    for (int x = window.x0; x < window.x1; x += kTileSize)
+      tiles.push_back({x, y, std::min(x + kTileSize, window.x1), std::min(y + kTileSize, window.y1)});
+  return tiles;
+}
+
+void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
+  switch (algorithm) {
+    case AlgorithmId::Path:
+      return trace_path(world, walk, ray);
+    case AlgorithmId::Whitted:
+      return trace_recursively(world, walk, ray, {.glossy_highlights = true, .mirror_at_diffuse = false});
+    case AlgorithmId::Lecture:
+      return trace_recursively(world, walk, ray, {.glossy_highlights = false, .mirror_at_diffuse = true});
+  }
+}
+
+/// Tells the listener how far the render is, not more often than it can be read.
+class ProgressMeter {
+ public:
+  ProgressMeter(const RenderHooks& hooks, std::size_t pixels) : hooks_(hooks), pixels_(pixels) {}
+
+  void advance(std::size_t pixels, std::uint64_t rays) {
+    if (!hooks_.progress) return;
+    const std::scoped_lock lock(mutex_);
+    done_ += pixels;
+    rays_ += rays;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(200) && done_ < pixels_) return;
+    last_ = now;
+    hooks_.progress({.fraction = static_cast<double>(done_) / static_cast<double>(pixels_),
+                     .rays = rays_,
+                     .seconds = std::chrono::duration<double>(now - start_).count()});
+  }
+
+ private:
+  const RenderHooks& hooks_;
+  const std::size_t pixels_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::uint64_t rays_ = 0;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_ = start_;
+};
+
+/// Traces every tile of the picture. `make_worker()` is called once per thread; a worker has sink(), begin(tile) and
+/// end(tile number). Tiles are handed out in order, so that whoever collects them never holds many.
+/// Gives back whether the whole picture was done.
+template <class MakeWorker>
+bool trace_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks, bool wants_words,
+                 MakeWorker make_worker) {
+  const int threads =
+      settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const Tracer tracer(scene);
+  const Lights lights(scene, tracer);
+  const Eye eye(scene.camera, settings.width, settings.height);
+  const World world{scene, tracer, lights, eye, settings.max_depth};
+
+  const Window window = picture_window(settings);
+  const std::vector<Window> tiles = tiles_of(window);
+  ProgressMeter meter(hooks, window.pixel_count());
+  std::atomic<std::size_t> next_tile{0};
+  const auto stopped = [&] { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); };
+
+  const auto work = [&](const tbb::blocked_range<int>&) {
+    auto worker = make_worker();
+    record::PathSink& sink = worker.sink();
+    for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
+      const Window& tile = tiles[number];
+      std::uint64_t rays = 0;
+      worker.begin(tile);
+      for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x)
+          for (int sample = 0; sample < settings.samples_per_pixel; ++sample) {
+            Walk walk{.sink = sink, .sampler = Sampler(settings.seed, x, y, sample), .wants_words = wants_words};
+            sink.begin_sample(x, y, sample);
+            trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);
+            rays += walk.rays;
+          }
+      worker.end(number);
+      meter.advance(tile.pixel_count(), rays);
+    }
+  };
+  tbb::task_arena arena(threads);
+  arena.execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner()); });
+  return !stopped();
+}
+
+/// Adds everything up to one colour per pixel and forgets the rest.
+class PictureSink final : public record::PathSink {
+ public:
+  explicit PictureSink(record::Image& image) : image_(image) {}
+  void begin_sample(int x, int y, int) override {
+    const Window& w = image_.window;
+    pixel_ = &image_.pixels[static_cast<std::size_t>(y - w.y0) * static_cast<std::size_t>(w.width()) +
+                            static_cast<std::size_t>(x - w.x0)];
+  }
+  void add(const record::Contribution& contribution) override { *pixel_ += contribution.value; }
+  void add_non_path(record::NonPath, Rgb) override {}
+  void end_path(record::PathEnd) override {}
+
+ private:
+  record::Image& image_;
+  Rgb* pixel_ = nullptr;
+};
+
+}  // namespace
+
+record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
+  check(scene, settings);
+  const auto& algorithm = kAlgorithms[static_cast<std::size_t>(settings.algorithm)];
+  const record::RenderInfo info{.scene = scene.name,
+                                .algorithm = std::string(algorithm.name),
+                                .width = settings.width,
+                                .height = settings.height,
+                                .window = picture_window(settings),
+                                .samples_per_pixel = settings.samples_per_pixel,
+                                .seed = settings.seed,
+                                .max_depth = settings.max_depth,
+                                .partial = false,
+                                .version = HECKBERT_VERSION};
+  record::Assembler assembler(info);
+  struct Worker {
+    record::TileRecorder recorder;
+    record::Assembler& assembler;
+    record::PathSink& sink() { return recorder; }
+    void begin(const Window& tile) { recorder.begin_tile(tile); }
+    void end(std::size_t number) { assembler.submit(number, recorder.end_tile()); }
+  };
+  const bool complete = trace_tiles(scene, settings, hooks, true, [&] {
+    return Worker{record::TileRecorder(info), assembler};
+  });
+  return assembler.finish(!complete);
+}
+
+record::Image render_picture_only(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
+  check(scene, settings);
+  const Window window = picture_window(settings);
+  record::Image image{window, std::vector<Rgb>(window.pixel_count())};
+  struct Worker {
+    PictureSink picture;
+    record::PathSink& sink() { return picture; }
+    void begin(const Window&) {}
+    void end(std::size_t) {}
+  };
+  trace_tiles(scene, settings, hooks, false, [&] { return Worker{PictureSink(image)}; });
+  for (Rgb& pixel : image.pixels) pixel *= 1.0f / static_cast<float>(settings.samples_per_pixel);
+  return image;
+}
+
+}  // namespace heckbert::transport

@@ -1,0 +1,154 @@
+#pragma once
+// A scene as plain data: what importers fill in and integrators read. No behaviour, no Embree, no file formats.
+//
+// Lengths are in scene units, radiance in W sr^-1 m^-2 (or whatever unit the author thinks in: all results are linear
+// in it). Directions, where they occur, point away from the surface.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <heckbert/record/rgb.h>
+
+namespace heckbert::transport {
+
+// ---- materials: a sum of lobes ------------------------------------------------------------------------------------
+
+/// Diffuse reflection, albedo / pi. Letter D.
+struct Lambert {
+  Rgb albedo{0.5f};
+};
+
+/// Perfect mirror, constant reflectance. Letter S.
+struct Mirror {
+  Rgb reflectance{1.0f};
+};
+
+/// Smooth interface between vacuum and a medium of index `ior` (on the inner side of the surface), exact Fresnel and
+/// Snell; reflection and transmission are one lobe with two events, Sr and St. Tints multiply either part and are at
+/// most one.
+struct Dielectric {
+  float ior = 1.5f;
+  Rgb reflection_tint{1.0f};
+  Rgb transmission_tint{1.0f};
+};
+
+/// Microfacet reflection with the GGX distribution (Walter et al. 2007), height-correlated Smith masking and Schlick's
+/// Fresnel approximation from F0; alpha is the square of the usual roughness. Letter G.
+struct Ggx {
+  Rgb f0{0.9f};
+  float alpha = 0.1f;
+};
+
+/// Normalised modified Phong lobe (Lafortune and Willems 1994): reflectance (n+2)/2pi cos^n. Letter G.
+struct Phong {
+  Rgb reflectance{0.5f};
+  float exponent = 32;
+};
+
+using Lobe = std::variant<Lambert, Mirror, Dielectric, Ggx, Phong>;
+
+enum class Sides : std::uint8_t { Front, Both };
+
+/// A surface reflects by the sum of its lobes on both sides (a dielectric tells inside from outside by the geometric
+/// normal) and may emit; an emitter also reflects.
+struct Material {
+  std::string name{};
+  std::vector<Lobe> lobes{};  ///< at most kMaxLobes; see max_albedo for the bound on their sum
+  Rgb emission{};             ///< radiance; black: not a light
+  Sides emission_sides = Sides::Front;
+  /// The lecture's recursive tracer continues in the mirror direction even at a diffuse surface, weighted by this k_r;
+  /// that light is no path and goes to the phantom buffer. No other algorithm reads it.
+  Rgb phantom_reflectance{};
+  /// k_a of the ambient term, used by the recursive tracers with an ambient light; no path either.
+  std::optional<Rgb> ambient_reflectance{};  ///< unset: the sum of the diffuse albedos
+};
+
+inline constexpr std::size_t kMaxLobes = 6;
+
+/// The albedo of a material's lobes at normal incidence, per channel; more than 1 cannot conserve energy.
+Rgb max_albedo(const Material& material);
+
+// ---- shapes -------------------------------------------------------------------------------------------------------
+
+/// Triangles; front is the side from which vertices run counter-clockwise.
+struct Mesh {
+  std::vector<glm::vec3> positions{};
+  std::vector<glm::uvec3> triangles{};
+  std::vector<glm::vec3> normals{};             ///< per position, for shading; empty: flat
+  std::vector<std::uint32_t> face_materials{};  ///< per triangle; empty: Shape::material for all
+};
+
+/// Front is outside.
+struct Sphere {
+  glm::vec3 center{0};
+  float radius = 1;
+};
+
+struct Shape {
+  std::string name{};
+  std::variant<Mesh, Sphere> geometry{};
+  std::uint32_t material = 0;  ///< index into Scene::materials
+};
+
+/// A group of shapes placed by a transform, traced as an Embree instance. Emitters inside groups are lights like any.
+struct Group {
+  std::string name{};
+  std::vector<Shape> shapes{};
+};
+
+struct Instance {
+  std::uint32_t group = 0;
+  glm::mat4 to_world{1};  ///< affine
+};
+
+/// A parallelogram from `corner`; front is the side of cross(edge_u, edge_v).
+Mesh make_quad(glm::vec3 corner, glm::vec3 edge_u, glm::vec3 edge_v);
+/// A box between two corners; front is outside, or inside when `inward`.
+Mesh make_box(glm::vec3 low, glm::vec3 high, bool inward = false);
+
+// ---- lights and eyes ------------------------------------------------------------------------------------------------
+
+/// Isotropic point light; intensity in W sr^-1. Area lights are materials with emission.
+struct PointLight {
+  glm::vec3 position{0};
+  Rgb intensity{1.0f};
+};
+
+/// Pinhole when `lens_radius` is zero, thin lens otherwise.
+struct Camera {
+  glm::vec3 position{0, 0, 5};
+  glm::vec3 look_at{0};
+  glm::vec3 up{0, 1, 0};
+  float vertical_fov_degrees = 40;
+  float lens_radius = 0;
+  float focus_distance = 1;  ///< distance along the viewing axis that is in focus; read when lens_radius > 0
+};
+
+/// What the scene's author suggests; flags override each.
+struct RenderDefaults {
+  std::optional<int> width, height, samples_per_pixel, max_depth;
+  std::optional<std::uint64_t> seed;
+};
+
+struct Scene {
+  std::string name{};
+  std::string title;  ///< one line for people
+  std::vector<Material> materials;
+  std::vector<Shape> shapes{};
+  std::vector<Group> groups;
+  std::vector<Instance> instances;
+  std::vector<PointLight> point_lights;
+  Rgb environment;  ///< constant radiance from every direction; black: none
+  Rgb ambient;      ///< I_a of the recursive tracers' ambient term
+  Camera camera;
+  RenderDefaults defaults;
+};
+
+}  // namespace heckbert::transport

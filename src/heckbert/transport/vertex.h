@@ -1,0 +1,84 @@
+#pragma once
+// One vertex of a path: a hit with its local frame, its lobes, and the probabilities with which one of them is
+// followed. The two integrators share it, and with it the one place where direct light is gathered lobe by lobe.
+
+#include <array>
+#include <optional>
+
+#include <heckbert/record/path_sink.h>
+#include <heckbert/transport/eye.h>
+#include <heckbert/transport/frame.h>
+#include <heckbert/transport/lights.h>
+#include <heckbert/transport/lobe.h>
+#include <heckbert/transport/sampler.h>
+#include <heckbert/transport/tracer.h>
+
+namespace heckbert::transport {
+
+/// A scene ready to be traced.
+struct World {
+  const Scene& scene;
+  const Tracer& tracer;
+  const Lights& lights;
+  const Eye& eye;
+  int max_depth;
+};
+
+/// What one camera sample carries along.
+struct Walk {
+  record::PathSink& sink;
+  Sampler sampler;
+  bool wants_words = true;  ///< false when only the picture is asked for: nothing is spelt then
+  std::uint64_t rays = 0;
+
+  taxonomy::WordTrie::Node step(taxonomy::WordTrie::Node node, taxonomy::Symbol letter) {
+    return wants_words ? sink.words().step(node, letter) : node;
+  }
+};
+
+struct Vertex {
+  Hit hit;
+  Frame frame;   ///< normal on the side the ray came from
+  glm::vec3 wo;  ///< local
+  const Material* material;
+
+  bool has_non_delta = false;
+  float total_weight = 0;                    ///< sum of the selection weights; 0: the surface is black
+  std::array<float, kMaxLobes> selection{};  ///< probability of following each lobe
+
+  Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction);
+
+  /// Density of following any non-delta lobe into wi, selection included: the density that multiple importance weights
+  /// see.
+  float pdf_solid_angle(glm::vec3 wi) const;
+  /// A world direction as this vertex may use it for reflection: local, or nothing when the shading and the geometric
+  /// normal disagree about its side.
+  std::optional<glm::vec3> reflected(glm::vec3 world) const;
+  /// The ray that goes on; `transmitted` says on which side.
+  Ray leave(glm::vec3 wi, bool transmitted) const;
+};
+
+/// How direct light is gathered at a vertex.
+struct DirectLight {
+  bool multiple_importance = false;  ///< weigh against the chance of hitting the light by following a lobe
+  bool glossy = true;                ///< glossy lobes too, or diffuse ones only
+};
+
+/// Next-event estimation at a vertex: one light, one shadow ray, one contribution per non-delta lobe, all with one
+/// common weight (design decision 2). `node` is the path up to but without this vertex.
+void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
+                         Rgb throughput, const DirectLight& rule);
+
+/// The same sum as a colour, for light that belongs to no path.
+Rgb direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule);
+
+/// The power heuristic with exponent two (Veach 1997, 9.2.4).
+inline float power_heuristic(float pdf, float other) {
+  const float ratio = other / pdf;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+/// A path that ran into a light: finishes its word and adds its value.
+void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol light, Rgb value);
+
+}  // namespace heckbert::transport

@@ -1,0 +1,194 @@
+// The two integrators against each other and against their own promises.
+
+#include <atomic>
+
+#include <gtest/gtest.h>
+
+#include <heckbert/taxonomy/expression.h>
+
+#include "test_scenes.h"
+
+namespace heckbert::transport {
+namespace {
+
+/// A small room with a lamp, a mirror wall, a glass ball and a glossy floor: every kind of word occurs.
+Scene mixed_room() {
+  Scene scene;
+  scene.name = "mixed room";
+  add(scene, make_box({-2, -1, -2}, {2, 2, 2}, true), diffuse(0.6f));
+  add(scene, make_quad({-1.99f, -0.5f, -1}, {0, 0, 2}, {0, 1.5f, 0}), {.name = "mirror", .lobes = {Mirror{Rgb(0.9f)}}});
+  add(scene, make_quad({-1, 1.99f, -1}, {2, 0, 0}, {0, 0, 2}), emitter(3));
+  add(scene, make_quad({-1.8f, -0.6f, -1.98f}, {1.2f, 0, 0}, {0, 1.2f, 0}), emitter(1));
+  add(scene, Sphere{{0.5f, 0.1f, 0.4f}, 0.6f}, {.name = "glass", .lobes = {Dielectric{}}});
+  add(scene, make_box({-1.5f, -1, -1.5f}, {1.5f, -0.9f, 1.5f}),
+      {.name = "glossy", .lobes = {Lambert{Rgb(0.3f)}, Ggx{Rgb(0.4f), 0.5f}}});
+  scene.camera = {.position = {1.6f, 0.2f, 1.8f}, .look_at = {-0.4f, 0.2f, -0.4f}, .vertical_fov_degrees = 80};
+  return scene;
+}
+
+TEST(Render, GivesTheSameBytesForAnyNumberOfThreads) {
+  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+    RenderSettings settings{
+        .algorithm = algorithm.id, .width = 100, .height = 70, .samples_per_pixel = 8, .threads = 1};
+    const auto one = render(mixed_room(), settings);
+    ASSERT_GT(one.words.size(), 5u);
+    for (const int threads : {2, 4}) {
+      settings.threads = threads;
+      EXPECT_TRUE(render(mixed_room(), settings) == one) << algorithm.name << " with " << threads;
+    }
+    settings.seed = 2;
+    EXPECT_FALSE(render(mixed_room(), settings) == one) << algorithm.name << ": another seed must be another picture";
+  }
+}
+
+TEST(Render, ACropIsThatPartOfThePicture) {
+  RenderSettings settings{.width = 80, .height = 60, .samples_per_pixel = 4};
+  const auto whole = record::beauty(render(mixed_room(), settings));
+  settings.crop = record::Window{30, 10, 70, 50};
+  const auto part = record::beauty(render(mixed_room(), settings));
+  for (int y = 10; y < 50; ++y)
+    for (int x = 30; x < 70; ++x) ASSERT_EQ(part.at(x, y), whole.at(x, y));
+}
+
+TEST(Render, ThePictureOnlyModeTracesTheSamePaths) {
+  const RenderSettings settings{.width = 40, .height = 30, .samples_per_pixel = 16};
+  const auto picture = render_picture_only(mixed_room(), settings);
+  const auto beauty = record::beauty(render(mixed_room(), settings));
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    EXPECT_NEAR(picture.pixels[i].g, beauty.pixels[i].g, 1e-5f * (1 + beauty.pixels[i].g));
+}
+
+TEST(Render, TheRecursiveTracersFindWhatTheirGrammarsSayAndTheReferenceAgrees) {
+  const RenderSettings reference_settings{.width = 24, .height = 18, .samples_per_pixel = 4096, .max_depth = 8};
+  const auto reference = render(mixed_room(), reference_settings);
+  const struct {
+    AlgorithmId algorithm;
+    const char* grammar;
+    std::vector<std::string> words;
+  } rows[] = {{AlgorithmId::Whitted, "L N? S* E", {"LE", "LDE", "LGE", "LSE", "LDSE", "LGSE", "LSSE", "LDSSE"}},
+              {AlgorithmId::Lecture, "L D? S* E", {"LE", "LDE", "LSE", "LDSE", "LSSE", "LDSSE"}}};
+  for (const auto& row : rows) {
+    RenderSettings settings = reference_settings;
+    settings.algorithm = row.algorithm;
+    settings.samples_per_pixel = 1024;
+    settings.seed = 5;
+    const auto record = render(mixed_room(), settings);
+    const taxonomy::Language grammar = taxonomy::compile(row.grammar);
+    for (const taxonomy::Word& word : record.words) EXPECT_TRUE(grammar.contains(word)) << taxonomy::fine(word);
+    for (const std::string& word : row.words) {
+      const auto a = energy_of(record, word), b = energy_of(reference, word);
+      // Two-sample z-test, 1 % over fourteen words after Sidak.
+      EXPECT_NEAR(a.mean, b.mean, 3.38 * std::hypot(a.standard_error, b.standard_error)) << row.grammar << " " << word;
+      EXPECT_GT(b.mean, 0.0) << word;
+      EXPECT_LT(b.standard_error, 0.06 * b.mean) << word;
+    }
+  }
+}
+
+TEST(Lecture, PutsTheMirrorRayAtDiffuseSurfacesIntoThePhantomBufferOnly) {
+  Scene scene = mixed_room();
+  const RenderSettings settings{.algorithm = AlgorithmId::Lecture, .width = 24, .height = 18, .samples_per_pixel = 16};
+  const auto without = render(scene, settings);
+  EXPECT_TRUE(without.phantom.empty()) << "k_r is zero everywhere";
+  for (Material& material : scene.materials)
+    if (material.name == "diffuse") material.phantom_reflectance = Rgb(0.3f);
+  const auto with = render(scene, settings);
+  ASSERT_EQ(with.phantom.size(), with.info.window.pixel_count());
+  double phantom = 0;
+  for (const Rgb p : with.phantom) phantom += p.g;
+  EXPECT_GT(phantom, 0);
+  const taxonomy::Language grammar = taxonomy::compile("L D? S* E");
+  for (const taxonomy::Word& word : with.words) EXPECT_TRUE(grammar.contains(word)) << taxonomy::fine(word);
+  RenderSettings whitted = settings;
+  whitted.algorithm = AlgorithmId::Whitted;
+  EXPECT_TRUE(render(scene, whitted).phantom.empty());
+}
+
+TEST(Lecture, APhantomMirrorOverAWhiteSkyShowsTheSkyTimesItsReflectance) {
+  Scene scene;
+  Material floor = diffuse(0.5f);
+  floor.phantom_reflectance = Rgb(0.25f);
+  add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}), floor);
+  scene.environment = Rgb(1);
+  scene.camera = {.position = {0, 2, 0.1f}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 20};
+  const auto record =
+      render(scene, {.algorithm = AlgorithmId::Lecture, .width = 8, .height = 8, .samples_per_pixel = 4});
+  for (const Rgb p : record.phantom) EXPECT_NEAR(p.g, 0.25f, 1e-6f);
+}
+
+TEST(Ambient, IsItsCoefficientTimesTheAmbientLightAndNoPath) {
+  Scene scene;
+  add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}), diffuse(0.5f));
+  scene.ambient = Rgb(0.2f, 0.4f, 0.8f);
+  scene.camera = {.position = {0, 2, 0.1f}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 20};
+  RenderSettings settings{.algorithm = AlgorithmId::Whitted, .width = 8, .height = 8, .samples_per_pixel = 4};
+  const auto record = render(scene, settings);
+  EXPECT_TRUE(record.words.empty());
+  ASSERT_EQ(record.ambient.size(), 64u);
+  for (const Rgb a : record.ambient) {
+    EXPECT_NEAR(a.r, 0.1f, 1e-6f);
+    EXPECT_NEAR(a.b, 0.4f, 1e-6f);
+  }
+  scene.materials[0].ambient_reflectance = Rgb(0);
+  EXPECT_TRUE(render(scene, settings).ambient.empty() || is_black(render(scene, settings).ambient[0]));
+  settings.algorithm = AlgorithmId::Path;
+  EXPECT_TRUE(render(scene, settings).ambient.empty());
+}
+
+TEST(Eye, AThinLensEndsWordsInElAndFocusesOnItsPlane) {
+  Scene scene;
+  add(scene, make_quad({-1, -1, 0}, {1, 0, 0}, {0, 2, 0}), emitter(1));  // the left half, facing +z
+  scene.camera = {.position = {0, 0, 4},
+                  .look_at = {0, 0, 0},
+                  .vertical_fov_degrees = 20,
+                  .lens_radius = 0.5f,
+                  .focus_distance = 4};
+  const RenderSettings settings{.width = 16, .height = 16, .samples_per_pixel = 32};
+  const auto sharp = render(scene, settings);
+  ASSERT_EQ(sharp.words.size(), 1u);
+  EXPECT_EQ(taxonomy::fine(sharp.words[0]), "LaEl");
+  const auto image = record::beauty(sharp);
+  EXPECT_EQ(image.at(7, 8).g, 1.0f);
+  EXPECT_EQ(image.at(8, 8).g, 0.0f);
+  scene.camera.focus_distance = 2;
+  const auto blurred = record::beauty(render(scene, settings));
+  EXPECT_GT(blurred.at(8, 8).g, 0.1f);
+  EXPECT_LT(blurred.at(7, 8).g, 0.9f);
+}
+
+TEST(Render, StopsWhenAskedAndSaysSo) {
+  std::atomic<bool> stop{false};
+  RenderHooks hooks;
+  hooks.stop = &stop;
+  int calls = 0;
+  hooks.progress = [&](const Progress& p) {
+    ++calls;
+    EXPECT_GT(p.fraction, 0);
+    EXPECT_LE(p.fraction, 1);
+    stop = true;
+  };
+  const auto record = render(mixed_room(), {.width = 256, .height = 256, .samples_per_pixel = 256}, hooks);
+  EXPECT_TRUE(record.info.partial);
+  EXPECT_GE(calls, 1);
+  EXPECT_LT(record.tally.samples, 256u * 256u * 256u);
+  EXPECT_GT(record.entries.size(), 0u);
+}
+
+TEST(Render, RefusesSettingsOutOfRange) {
+  const Scene scene = mixed_room();
+  EXPECT_THROW(render(scene, {.width = 0}), std::invalid_argument);
+  EXPECT_THROW(render(scene, {.samples_per_pixel = 0}), std::invalid_argument);
+  EXPECT_THROW(render(scene, {.max_depth = -1}), std::invalid_argument);
+  EXPECT_THROW(render(scene, {.width = 64, .height = 64, .crop = record::Window{0, 0, 65, 10}}), std::invalid_argument);
+}
+
+TEST(Render, ASceneWithoutLightIsBlackAndHasNoWords) {
+  Scene scene;
+  add(scene, Sphere{{0, 0, 0}, 1}, diffuse(0.5f));
+  const auto record = render(scene, {.width = 8, .height = 8, .samples_per_pixel = 4});
+  EXPECT_TRUE(record.words.empty());
+  EXPECT_EQ(record.tally.samples, 256u);
+}
+
+}  // namespace
+}  // namespace heckbert::transport
