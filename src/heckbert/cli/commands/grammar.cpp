@@ -1,0 +1,170 @@
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <heckbert/cli/commands/command.h>
+#include <heckbert/cli/commands/commands.h>
+#include <heckbert/cli/console.h>
+#include <heckbert/cli/help.h>
+#include <heckbert/cli/languages.h>
+#include <heckbert/cli/settings.h>
+#include <heckbert/report/grammar_text.h>
+#include <heckbert/report/json_parts.h>
+#include <heckbert/taxonomy/explain.h>
+
+namespace heckbert::cli {
+namespace {
+
+using taxonomy::Grammar;
+using taxonomy::Language;
+
+// ---- grammar list and grammar show --------------------------------------------------------------------------------
+
+struct ListOptions {
+  bool json = false;
+  SettingFlags flags;
+};
+
+void declare_list(CLI::App& command, ListOptions& options) {
+  command.add_flag("--json", options.json, "print as JSON");
+  add_settings(command, options.flags, {});
+}
+
+ExitCode run_list(const ListOptions& options) {
+  const Console console(resolve(options.flags));
+  const taxonomy::GrammarLibrary& library = taxonomy::builtin_grammars();
+  fmt::print("{}", options.json ? report::grammar_list_json(library)
+                                : report::grammar_list_text(library, console.table_style()));
+  return ExitCode::Done;
+}
+
+/// "Captures    LE LDE LSE ...": the shortest words, for lights that a ray can hit and for those that it cannot.
+std::string examples_text(const Grammar& grammar) {
+  constexpr std::size_t kExamplesShown = 8;
+  struct Lights {
+    taxonomy::Symbol light;
+    std::string_view title;
+  };
+  std::string text;
+  for (const bool contained : {true, false}) {
+    std::string_view label = contained ? "Captures" : "Misses";
+    for (const Lights lights : {Lights{taxonomy::Symbol::La, "area lights"}, {taxonomy::Symbol::Lp, "point lights"}}) {
+      const auto words = first_words(grammar.language, lights.light, contained, kExamplesShown);
+      text += fmt::format("{:<12}{}  ({})\n", label,
+                          words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, " ")), lights.title);
+      label = "";
+    }
+  }
+  return text;
+}
+
+struct ShowOptions {
+  std::vector<std::string> grammars;
+  bool json = false;
+  SettingFlags flags;
+};
+
+void declare_show(CLI::App& command, ShowOptions& options) {
+  command.add_option("GRAMMAR", options.grammars, "name, .grammar file or expression")->required();
+  command.add_flag("--json", options.json, "print as JSON");
+  add_settings(command, options.flags, {});
+}
+
+ExitCode run_show(const ShowOptions& options) {
+  const Console console(resolve(options.flags));
+  const taxonomy::GrammarLibrary shown{find_grammars(options.grammars, "GRAMMAR")};
+  if (options.json) {
+    fmt::print("{}", report::grammar_list_json(shown));
+    return ExitCode::Done;
+  }
+  const char* separator = "";
+  for (const Grammar& grammar : shown.grammars) {
+    fmt::print("{}{}{}", separator, report::grammar_text(grammar, console.table_style()), examples_text(grammar));
+    separator = "\n";
+  }
+  return ExitCode::Done;
+}
+
+// ---- grammar equal and grammar subset -----------------------------------------------------------------------------
+
+struct CompareOptions {
+  std::string a, b;
+  bool json = false;
+  SettingFlags flags;
+};
+
+void declare_compare(CLI::App& command, CompareOptions& options) {
+  command.add_option("A", options.a, "name, .grammar file or expression")->required();
+  command.add_option("B", options.b, "name, .grammar file or expression")->required();
+  command.add_flag("--json", options.json, "print the answer as JSON");
+  add_settings(command, options.flags, {Scope::Glossy});
+}
+
+/// A word that one language has and the other has not, or null.
+report::Json witness(const Language& with, const Language& without) {
+  const auto word = taxonomy::witness_outside(with, without);
+  return word ? report::Json(show(*word)) : report::Json();
+}
+
+enum class Question : std::uint8_t { Equal, Subset };
+
+ExitCode compare(const CompareOptions& options, Question question) {
+  const Settings settings = resolve(options.flags);
+  const Console console(settings);
+  const std::vector<Grammar> grammars = find_grammars({options.a, options.b}, "argument");
+  const Language a = taxonomy::apply(settings.glossy, grammars[0].language);
+  const Language b = taxonomy::apply(settings.glossy, grammars[1].language);
+
+  report::Json json =
+      report::document_of(question == Question::Equal ? "heckbert.grammar_equal" : "heckbert.grammar_subset");
+  json["a"] = options.a;
+  json["b"] = options.b;
+  json["glossy_rule"] = report::name_of(settings.glossy);
+  json["only_in_a"] = witness(a, b);
+  json["only_in_b"] = witness(b, a);
+  const bool holds = json["only_in_a"].is_null() && (question == Question::Subset || json["only_in_b"].is_null());
+  json["answer"] = holds;
+
+  if (options.json) {
+    fmt::print("{}", report::dump(json));
+  } else {
+    fmt::print("{}\n", holds ? console.paint(Style::Good, "yes") : console.paint(Style::Bad, "no"));
+    const auto tell = [](const report::Json& word, const std::string& with, const std::string& without) {
+      if (!word.is_null()) fmt::print("{} is in {} but not in {}\n", word.get<std::string>(), with, without);
+    };
+    tell(json["only_in_a"], options.a, options.b);
+    if (question == Question::Equal) tell(json["only_in_b"], options.b, options.a);
+  }
+  return holds ? ExitCode::Done : ExitCode::No;
+}
+
+ExitCode run_equal(const CompareOptions& options) {
+  return compare(options, Question::Equal);
+}
+ExitCode run_subset(const CompareOptions& options) {
+  return compare(options, Question::Subset);
+}
+
+}  // namespace
+
+void add_grammar(CLI::App& app, Run& chosen) {
+  CLI::App* grammar = add_family(app, "grammar", "What algorithms capture, as languages: list, show, compare");
+  add_command<ListOptions>(*grammar, chosen, "list", "The built-in algorithms and classes", "  heckbert grammar list\n",
+                           declare_list, run_list);
+  add_command<ShowOptions>(*grammar, chosen, "show", "All that is known of a grammar",
+                           "  heckbert grammar show whitted radiosity\n"
+                           "  heckbert grammar show 'LS+D(S|D)*E' my.grammar\n",
+                           declare_show, run_show);
+  add_command<CompareOptions>(*grammar, chosen, "equal", "Are two languages the same? A word tells them apart if not",
+                              "  heckbert grammar equal 'L(D|S)*E' 'L(D*S*)*E'\n"
+                              "  heckbert grammar equal path-tracing '!whitted' --json\n",
+                              declare_compare, run_equal);
+  add_command<CompareOptions>(*grammar, chosen, "subset", "Is all of A in B? The shortest word that is not, if not",
+                              "  heckbert grammar subset ray-casting whitted\n"
+                              "  heckbert grammar subset LDDE @whitted\n",
+                              declare_compare, run_subset);
+}
+
+}  // namespace heckbert::cli

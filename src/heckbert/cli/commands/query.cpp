@@ -1,0 +1,91 @@
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <heckbert/cli/commands/command.h>
+#include <heckbert/cli/commands/commands.h>
+#include <heckbert/cli/console.h>
+#include <heckbert/cli/files.h>
+#include <heckbert/cli/languages.h>
+#include <heckbert/cli/layers.h>
+#include <heckbert/cli/pictures.h>
+#include <heckbert/cli/settings.h>
+#include <heckbert/record/file.h>
+#include <heckbert/report/facts.h>
+#include <heckbert/report/numbers.h>
+#include <heckbert/report/picture.h>
+
+namespace heckbert::cli {
+namespace {
+
+struct QueryOptions {
+  std::string record;
+  std::vector<std::string> classes;  ///< "name=EXPR" or "EXPR"
+  std::string output, preview;       ///< empty: not wanted
+  bool json = false;
+  SettingFlags flags;
+};
+
+void declare(CLI::App& command, QueryOptions& options) {
+  command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
+  command.add_option("EXPR", options.classes, "expression, @name or .grammar file; NAME=EXPR gives the layer a name")
+      ->required();
+  command
+      .add_option("-o,--output", options.output,
+                  "the classes' pictures, as OpenEXR: a single EXPR as R, G, B; otherwise one layer each")
+      ->type_name("FILE.exr");
+  command.add_option("--preview", options.preview, "a PNG of the first class, exposed as the whole picture")
+      ->type_name("FILE.png");
+  command.add_flag("--json", options.json, "print the energies as JSON");
+  add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
+}
+
+constexpr const char* kExamples =
+    "  heckbert query cornell.paths.exr 'LS+DE' -o caustic.exr --preview caustic.png\n"
+    "  heckbert query cornell.paths.exr direct='LDE' indirect='LDD+E' -o layers.exr\n"
+    "  heckbert query cornell.paths.exr '!@whitted' --glossy specular --json\n";
+
+ExitCode run(const QueryOptions& options) {
+  const Settings settings = resolve(options.flags);
+  const Console console(settings);
+  const bool to_stdout = options.output == "-" || options.preview == "-";
+  if (to_stdout && options.json) throw UsageError("--json and an output '-' both want standard output");
+  if (options.output == "-" && options.preview == "-") throw UsageError("two outputs would go to standard output");
+  for (const std::string& name : {options.output, options.preview})
+    if (!name.empty()) check_writable(name);
+  const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "EXPR");
+  const record::Record record = read_record(options.record);
+
+  const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
+  const bool single_unnamed = classes.size() == 1 && options.classes.front().find('=') == std::string::npos;
+  const std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy, single_unnamed);
+  if (!options.output.empty())
+    write_to(options.output, [&](const auto& path) { record::write_layers(layers, record.info, path); });
+  if (!options.preview.empty())
+    write_bytes(options.preview, png_of(layers.front().image, report::auto_exposure(record::beauty(record))));
+
+  console.detail(report::summary(record.info));
+  console.detail("glossy bounces: " + report::describe(settings.glossy));
+  for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
+  if (options.json) {
+    report::Json json = report::document_of("heckbert.query");
+    json["render"] = report::to_json(record.info);
+    json["glossy_rule"] = report::name_of(settings.glossy);
+    json["confidence"] = settings.confidence;
+    json["classes"] = to_json(classes);
+    fmt::print("{}", report::dump(json));
+  } else if (!to_stdout) {
+    fmt::print("{}", classes_text(classes, console.table_style()));
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_query(CLI::App& app, Run& chosen) {
+  add_command<QueryOptions>(app, chosen, "query", "The picture of any class of paths, and its share of the energy",
+                            kExamples, declare, run);
+}
+
+}  // namespace heckbert::cli

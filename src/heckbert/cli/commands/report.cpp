@@ -1,0 +1,72 @@
+#include <string>
+
+#include <fmt/format.h>
+
+#include <heckbert/cli/commands/command.h>
+#include <heckbert/cli/commands/commands.h>
+#include <heckbert/cli/console.h>
+#include <heckbert/cli/files.h>
+#include <heckbert/cli/languages.h>
+#include <heckbert/cli/pictures.h>
+#include <heckbert/cli/settings.h>
+#include <heckbert/report/contact_sheet.h>
+#include <heckbert/report/coverage.h>
+#include <heckbert/report/html.h>
+#include <heckbert/report/json_parts.h>
+
+namespace heckbert::cli {
+namespace {
+
+struct ReportOptions {
+  std::string record, output;
+  std::string sheet;  ///< empty: not wanted
+  bool json = false;
+  SettingFlags flags;
+};
+
+void declare(CLI::App& command, ReportOptions& options) {
+  command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
+  command.add_option("-o,--output", options.output, "the page; it needs no other file")
+      ->type_name("FILE.html")
+      ->required();
+  command.add_option("--sheet", options.sheet, "also the contact sheet as a PNG")->type_name("FILE.png");
+  command.add_flag("--json", options.json, "print the names of the files as JSON");
+  add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
+}
+
+constexpr const char* kExamples =
+    "  heckbert report cornell.paths.exr -o cornell.html\n"
+    "  heckbert report cornell.paths.exr -o cornell.html --sheet cornell-sheet.png --glossy specular\n";
+
+ExitCode run(const ReportOptions& options) {
+  const Settings settings = resolve(options.flags);
+  if (options.sheet == "-") throw UsageError("--sheet needs the name of a file");
+  if (options.sheet == options.output) throw UsageError(fmt::format("two outputs would go to '{}'", options.output));
+  if (options.output == "-" && options.json) throw UsageError("--json and an output '-' both want standard output");
+  check_writable(options.output);
+  if (!options.sheet.empty()) check_writable(options.sheet);
+  const record::Record record = read_record(options.record);
+
+  const report::Coverage coverage =
+      report::coverage(record, builtin_grammars_of(taxonomy::GrammarKind::Algorithm),
+                       {.glossy_rule = settings.glossy, .confidence = settings.confidence});
+  write_bytes(options.output, report::html(record, coverage));
+  if (!options.sheet.empty()) write_bytes(options.sheet, png_of(report::contact_sheet(record, coverage)));
+  if (options.json) {
+    report::Json json = report::document_of("heckbert.report");
+    json["files"] = {{"page", options.output}, {"sheet", options.sheet}};
+    fmt::print("{}", report::dump(json));
+  } else if (options.output != "-") {
+    fmt::print("{}\n", options.output);
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Run& chosen) {
+  add_command<ReportOptions>(app, chosen, "report", "One page with pictures, coverage and words of a record", kExamples,
+                             declare, run);
+}
+
+}  // namespace heckbert::cli

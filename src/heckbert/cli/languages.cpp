@@ -1,0 +1,119 @@
+#include <heckbert/cli/languages.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include <heckbert/cli/files.h>
+#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/expression.h>
+
+namespace heckbert::cli {
+namespace {
+
+using taxonomy::Grammar;
+
+/// Names begin with a small letter, expressions never do.
+bool looks_like_name(std::string_view text) {
+  return !text.empty() && std::islower(static_cast<unsigned char>(text.front())) != 0 &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+}
+
+Grammar builtin(std::string_view name, std::string_view text, std::string_view what) {
+  const taxonomy::GrammarLibrary& library = taxonomy::builtin_grammars();
+  if (const Grammar* found = library.find(name)) return *found;
+  const std::string near = nearest(name, library.names().known);
+  throw InputError(diagnose(what, text, text.size() - name.size(), name.size(),
+                            "there is no grammar or class '" + std::string(name) + "'",
+                            near.empty() ? "'heckbert grammar list' shows all" : "did you mean '" + near + "'?"));
+}
+
+/// "name=rest": both parts; the name is empty when there is none.
+std::pair<std::string, std::string> split_name(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || text.ends_with(".grammar")) return {"", text};
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// Applies `make` to every text, collecting the diagnostics of all that are wrong.
+template <class Make>
+std::vector<Grammar> collect(const std::vector<std::string>& texts, Make make) {
+  std::vector<Grammar> grammars;
+  std::vector<Diagnostic> errors;
+  for (const std::string& text : texts) {
+    try {
+      grammars.push_back(make(text));
+    } catch (const InputError& error) {
+      errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (!errors.empty()) throw InputError(std::move(errors));
+  return grammars;
+}
+
+}  // namespace
+
+Grammar find_grammar(const std::string& text, std::string_view what) {
+  if (text.ends_with(".grammar")) return taxonomy::parse_grammar(read_text(text), text, taxonomy::builtin_grammars());
+  if (text.starts_with('@') && looks_like_name(text.substr(1))) return builtin(text.substr(1), text, what);
+  if (looks_like_name(text)) return builtin(text, text, what);
+  Grammar grammar;
+  grammar.kind = taxonomy::GrammarKind::Class;
+  grammar.name = grammar.title = grammar.expression = text;
+  grammar.language = taxonomy::compile(text, taxonomy::builtin_grammars().names(), what);
+  return grammar;
+}
+
+std::vector<Grammar> find_grammars(const std::vector<std::string>& texts, std::string_view what) {
+  return collect(texts, [&](const std::string& text) { return find_grammar(text, what); });
+}
+
+std::vector<Grammar> find_named_grammars(const std::vector<std::string>& texts, std::string_view what) {
+  std::vector<Grammar> grammars = collect(texts, [&](const std::string& text) {
+    const auto [name, rest] = split_name(text);
+    Grammar grammar = find_grammar(rest, what);
+    if (!name.empty()) grammar.name = name;
+    return grammar;
+  });
+  for (std::size_t i = 0; i < grammars.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (grammars[i].name == grammars[j].name)
+        throw InputError(diagnose(what, texts[i], 0, grammars[i].name.size(),
+                                  "there are two layers of the name '" + grammars[i].name + "'",
+                                  "give them names of their own: name=EXPR"));
+  return grammars;
+}
+
+std::vector<Grammar> builtin_grammars_of(taxonomy::GrammarKind kind) {
+  std::vector<Grammar> grammars;
+  for (const Grammar& grammar : taxonomy::builtin_grammars().grammars)
+    if (grammar.kind == kind) grammars.push_back(grammar);
+  return grammars;
+}
+
+std::vector<std::string> first_words(const taxonomy::Language& language, taxonomy::Symbol light, bool contained,
+                                     std::size_t count) {
+  constexpr std::size_t kLongest = 5;
+  using taxonomy::Symbol;
+  std::vector<std::string> found;
+  std::vector<taxonomy::Word> words{{.light = light, .events = {}, .eye = Symbol::Ep}};
+  for (std::size_t length = 0; length <= kLongest && found.size() < count; ++length) {
+    std::vector<taxonomy::Word> longer;
+    for (const taxonomy::Word& word : words) {
+      if (found.size() < count && language.contains(word) == contained) found.push_back(taxonomy::plain(word));
+      for (const Symbol event : {Symbol::Dr, Symbol::Gr, Symbol::Sr}) {
+        longer.push_back(word);
+        longer.back().events.push_back(event);
+      }
+    }
+    words = std::move(longer);
+  }
+  return found;
+}
+
+std::string show(const taxonomy::Word& word) {
+  const std::string letters = taxonomy::plain(word);
+  return taxonomy::parse_word(letters) == word ? letters : taxonomy::fine(word);
+}
+
+}  // namespace heckbert::cli

@@ -1,0 +1,45 @@
+#pragma once
+// The picture and its classes as layers of one EXR, made in one way for `render --lpe` and for `query`, so that asking
+// afterwards gives the same bits as declaring before.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <heckbert/record/file.h>
+#include <heckbert/record/record.h>
+#include <heckbert/record/statistics.h>
+#include <heckbert/report/json_parts.h>
+#include <heckbert/report/text_table.h>
+#include <heckbert/taxonomy/glossy_rule.h>
+#include <heckbert/taxonomy/grammar.h>
+
+namespace heckbert::cli {
+
+/// What a record holds of one language.
+struct ClassOfRecord {
+  taxonomy::Grammar grammar;
+  std::vector<bool> members;  ///< by word of the record
+  record::Estimate energy, share;
+  std::size_t words = 0;    ///< distinct words of the record in the language
+  std::uint64_t count = 0;  ///< contributions
+};
+
+std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
+                                      taxonomy::GlossyRule rule, double confidence);
+
+/// One picture per class; names are made legal and distinct, attributes say the expression and the rule for G.
+/// With `first_unnamed` the first class becomes the unprefixed R, G, B.
+std::vector<record::Layer> layers_of(const record::Record& record, const std::vector<ClassOfRecord>& classes,
+                                     taxonomy::GlossyRule rule, bool first_unnamed = false);
+
+/// "caustic = LS+DE: 3.12 % of the energy, 3.01 to 3.23 %"
+std::string describe(const ClassOfRecord& item);
+
+/// The classes as a table for people.
+std::string classes_text(const std::vector<ClassOfRecord>& classes, const report::TextStyle& style);
+
+/// Keys "name", "expression", "energy", "share", "words", "count".
+report::Json to_json(const std::vector<ClassOfRecord>& classes);
+
+}  // namespace heckbert::cli
