@@ -3,8 +3,9 @@
 //
 // A record is a multi-part file. Its first part, "paths", is a deep scan-line image: per pixel one deep sample per
 // word, with channels id (uint), R, G, B (float), count (uint), and A = 0 (half), Z = 0 (float) so that flattening adds
-// the samples up to the beauty. The id manifest gives every id its word as taxonomy::fine() spells it; attributes
-// "heckbert.*" hold the rest, "heckbert.record" the version of this layout. Light that no path carries follows as flat
+// the samples up to the beauty. The id manifest gives every id its word as taxonomy::fine() spells it, and the
+// attribute "heckbert.words" repeats the words for tools that do not show manifests; other attributes "heckbert.*" hold
+// the rest, "heckbert.record" the version of this layout. Light that no path carries follows as flat
 // parts "ambient" and "phantom" when there is any. Any OpenEXR reader can recover all of it.
 //
 // Files are written beside their target and renamed, so a failure never leaves half a file (atomic_file.h).

@@ -11,6 +11,7 @@
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfStringVectorAttribute.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ namespace {
 constexpr int kLayoutVersion = 1;
 constexpr const char* kLayout = "heckbert.record";
 constexpr const char* kBatchMeans = "heckbert.batch_means";
+constexpr const char* kWords = "heckbert.words";
 constexpr const char* kPathsPart = "paths";
 constexpr const char* kIdChannel = "id";
 
@@ -88,14 +90,14 @@ struct EntryFrame {
 
 // Writing.
 
-Imf::IDManifest manifest_of(const std::vector<taxonomy::Word>& words) {
+Imf::IDManifest manifest_of(const Imf::StringVector& words) {
   Imf::IDManifest manifest;
   Imf::IDManifest::ChannelGroupManifest& group = manifest.add(kIdChannel);
   group.setComponent("word");
   group.setLifetime(Imf::IDManifest::LIFETIME_FRAME);
   group.setHashScheme(Imf::IDManifest::NOTHASHED);
   group.setEncodingScheme(Imf::IDManifest::ID_SCHEME);
-  for (std::size_t w = 0; w < words.size(); ++w) group.insert(w, taxonomy::fine(words[w]));
+  for (std::size_t w = 0; w < words.size(); ++w) group.insert(w, words[w]);
   return manifest;
 }
 
@@ -107,7 +109,10 @@ Imf::Header paths_header(const Record& record) {
   for (const EntryChannel& channel : kEntryChannels) header.channels().insert(channel.name, Imf::Channel(channel.type));
   for (const auto& [name, type] : kZeroChannels) header.channels().insert(name, Imf::Channel(type));
   header.insert(kLayout, Imf::IntAttribute(kLayoutVersion));
-  Imf::addIDManifest(header, manifest_of(record.words));
+  Imf::StringVector words;
+  for (const taxonomy::Word& word : record.words) words.push_back(taxonomy::fine(word));
+  header.insert(kWords, Imf::StringVectorAttribute(words));
+  Imf::addIDManifest(header, manifest_of(words));
   for (const TallyFacts& facts : kTallyFields)
     header.insert(tally_name(facts), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
   Imf::FloatVector means;
@@ -204,8 +209,8 @@ std::vector<Rgb> read_batch_means(const Imf::Header& header, std::size_t word_co
   std::vector<Rgb> result(means.size() / 3);
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = {means[3 * i], means[3 * i + 1], means[3 * i + 2]};
-    require(is_finite(result[i]),
-            fmt::format("the header attribute '{}' has a number that is not finite", kBatchMeans));
+    if (!is_recordable(result[i]))
+      throw std::runtime_error(fmt::format("the header attribute '{}' has a negative or infinite number", kBatchMeans));
   }
   return result;
 }

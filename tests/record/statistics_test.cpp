@@ -1,0 +1,177 @@
+#include <heckbert/record/statistics.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include <heckbert/taxonomy/word_literal.h>
+
+#include "synthetic.h"
+
+namespace heckbert::record {
+namespace {
+
+using namespace taxonomy::literals;
+
+TEST(StudentQuantile, AgreesWithTheTables) {
+  struct Case {
+    double probability;
+    int degrees;
+    double quantile;
+  };
+  constexpr std::array kCases{
+      Case{0.975, 1, 12.706204736},  Case{0.975, 2, 4.302652730},  Case{0.975, 3, 3.182446305},
+      Case{0.975, 4, 2.776445105},   Case{0.975, 5, 2.570581836},  Case{0.975, 10, 2.228138852},
+      Case{0.975, 30, 2.042272456},  Case{0.975, 31, 2.039513446}, Case{0.975, 120, 1.979930405},
+      Case{0.95, 10, 1.812461123},   Case{0.995, 5, 4.032142984},  Case{0.9995, 7, 5.407882521},
+      Case{0.75, 3, 0.764892328},    Case{0.9, 1, 3.077683537},    Case{0.6, 8, 0.261921097},
+      Case{0.025, 10, -2.228138852}, Case{0.25, 3, -0.764892328},  Case{0.5, 7, 0},
+  };
+  for (const Case& c : kCases)
+    EXPECT_NEAR(student_quantile(c.probability, c.degrees), c.quantile, 1e-8 * std::max(1.0, std::abs(c.quantile)))
+        << c.probability << ' ' << c.degrees;
+}
+
+/// A record of one pixel and three words whose batch means are given; grey, so that luminance is the value itself.
+Record record_with(int samples_per_pixel, const std::vector<std::vector<float>>& by_word_and_batch) {
+  Record record;
+  record.info = info_for({0, 0, 1, 1}, samples_per_pixel);
+  record.words = {"LE"_word, "LDE"_word, "LSE"_word};
+  record.batch_means.resize(3 * kBatches);
+  for (std::size_t w = 0; w < by_word_and_batch.size(); ++w)
+    for (std::size_t b = 0; b < by_word_and_batch[w].size(); ++b)
+      record.batch_means[w * kBatches + b] = Rgb(by_word_and_batch[w][b]);
+  return record;
+}
+
+constexpr double kFloatNoise = 1e-6;  // batch means and luminance are floats
+
+TEST(Energy, IsTheMeanOfTheBatchesWithStudentsInterval) {
+  // Sums over both chosen words: 2, 4, 6, 8. Mean 5, variance of the batches 20/3, error sqrt(20/3/4).
+  const Record record = record_with(4, {{1, 1, 2, 2}, {1, 3, 4, 6}, {9, 9, 9, 9}});
+  const Estimate e = energy(record, {true, true, false}, 0.9);
+  EXPECT_TRUE(e.known);
+  EXPECT_NEAR(e.mean, 5, kFloatNoise);
+  EXPECT_NEAR(e.standard_error, std::sqrt(5.0 / 3), kFloatNoise);
+  EXPECT_NEAR(e.upper - e.mean, 2.353363435 * std::sqrt(5.0 / 3), 5 * kFloatNoise);  // t(0.95, 3)
+  EXPECT_NEAR(e.mean - e.lower, e.upper - e.mean, kFloatNoise);
+  EXPECT_NEAR(luminance(mean_colour(record, {true, true, false})), 5, kFloatNoise);
+}
+
+TEST(Energy, WeighsBatchesByTheirSamples) {
+  // 33 samples in 32 batches: the first has two samples. Batch means 3 and 31 times 0: sample mean 2 * 3 / 33.
+  std::vector<float> means(32);
+  means[0] = 3;
+  const Record record = record_with(33, {means});
+  EXPECT_NEAR(energy(record, {true, false, false}).mean, 6.0 / 33, kFloatNoise);
+  EXPECT_NEAR(luminance(mean_colour(record, {true, false, false})), 6.0 / 33, kFloatNoise);
+}
+
+TEST(Energy, DoesNotReachBelowZero) {
+  const Record record = record_with(2, {{0, 1}});
+  const Estimate e = energy(record, {true, false, false});
+  EXPECT_EQ(e.lower, 0);
+  EXPECT_GT(e.upper, 1);
+}
+
+TEST(Share, HasTheIntervalOfTheDeltaMethod) {
+  // Parts 1, 3; wholes 4, 4: ratio 1/2, residuals -1, 1, error of their mean 1, over the whole 1/4.
+  const Record record = record_with(2, {{1, 3}, {3, 1}});
+  const Estimate e = share(record, {true, false, false}, {true, true, false}, 0.5);
+  EXPECT_NEAR(e.mean, 0.5, kFloatNoise);
+  EXPECT_NEAR(e.standard_error, 0.25, kFloatNoise);
+  EXPECT_NEAR(e.upper, 0.75, kFloatNoise);  // t(0.75, 1) = 1
+  EXPECT_NEAR(e.lower, 0.25, kFloatNoise);
+}
+
+TEST(Share, OfAPartThatFollowsTheWholeIsCertainHoweverNoisyTheWhole) {
+  const Record record = record_with(4, {{1, 5, 2, 8}, {3, 15, 6, 24}});
+  const Estimate e = share(record, {true, false, false}, {true, true, false});
+  EXPECT_NEAR(e.mean, 0.25, kFloatNoise);
+  EXPECT_NEAR(e.upper - e.lower, 0, kFloatNoise);
+}
+
+TEST(Share, OfNothingAndOfEverythingIsExact) {
+  for (const int samples : {1, 2}) {
+    const Record record = record_with(samples, {{1, 7}, {3, 1}});
+    const std::vector<bool> none{false, false, false}, all{true, true, true};
+    const Estimate zero = share(record, none, all), one = share(record, all, all);
+    for (const auto& [estimate, value] : {std::pair{zero, 0.0}, {one, 1.0}}) {
+      EXPECT_TRUE(estimate.known);
+      EXPECT_EQ(estimate.mean, value);
+      EXPECT_EQ(estimate.lower, value);
+      EXPECT_EQ(estimate.upper, value);
+    }
+  }
+}
+
+TEST(Share, StaysBetweenNothingAndEverything) {
+  const Record record = record_with(2, {{0, 4}, {4, 1}});
+  const Estimate e = share(record, {true, false, false}, {true, true, false});
+  EXPECT_EQ(e.lower, 0);
+  EXPECT_EQ(e.upper, 1);
+  EXPECT_GT(share(record, {true, true, false}, {true, false, false}).upper, 2) << "not a part of the whole";
+}
+
+TEST(Share, OfADarkPictureIsZero) {
+  const Record record = record_with(2, {{0, 0}, {0, 0}});
+  EXPECT_EQ(share(record, {true, false, false}, {true, true, true}).mean, 0);
+}
+
+TEST(Estimate, IsOfUnknownSpreadFromOneBatch) {
+  const Record record = record_with(1, {{2}, {6}});
+  const Estimate e = energy(record, {true, false, false});
+  const Estimate s = share(record, {true, false, false}, {true, true, false});
+  for (const auto& [estimate, value] : {std::pair{e, 2.0}, {s, 0.25}}) {
+    EXPECT_FALSE(estimate.known);
+    EXPECT_NEAR(estimate.mean, value, kFloatNoise);
+    EXPECT_EQ(estimate.lower, estimate.mean);
+    EXPECT_EQ(estimate.upper, estimate.mean);
+  }
+}
+
+/// 95 % intervals of 500 records, seeds 0 to 499, each of 4 pixels with 48 samples (batches of one and of two). Samples
+/// find LE (mean 0.5, exponential), LDE (mean 2, uniform in 0..4) and LSE (a rare bright one: 8 in one of five).
+/// Five counts; each is binomial, and with the nominal 95 % leaves [90 %, 99 %] with probability below 1e-4.
+TEST(Interval, HoldsTheTruthAsOftenAsItSays) {
+  constexpr int kRecords = 500;
+  const RenderInfo info = info_for({0, 0, 2, 2}, 48);
+  const std::array<std::vector<bool>, 3> one{{{true, false, false}, {false, true, false}, {false, false, true}}};
+  const std::vector<bool> all{true, true, true};
+  const std::array<double, 3> means{0.5, 2, 1.6};
+  std::array<int, 3> energies_held{};
+  std::array<int, 2> shares_held{};
+  for (std::uint64_t seed = 0; seed < kRecords; ++seed) {
+    std::mt19937_64 random(seed);
+    std::exponential_distribution<float> exponential(2);
+    std::uniform_real_distribution<float> uniform(0, 4);
+    TileRecorder recorder(info);
+    recorder.begin_tile(info.window);
+    const auto words = {node_of(recorder.words(), "LE"_word), node_of(recorder.words(), "LDE"_word),
+                        node_of(recorder.words(), "LSE"_word)};
+    for (int y = 0; y < 2; ++y) {
+      for (int x = 0; x < 2; ++x) {
+        for (int s = 0; s < 48; ++s) {
+          recorder.begin_sample(x, y, s);
+          const std::array values{exponential(random), uniform(random), random() % 5 == 0 ? 8.0f : 0.0f};
+          for (std::size_t w = 0; w < 3; ++w) recorder.add({words.begin()[w], Rgb(values[w]), Technique::Hit});
+        }
+      }
+    }
+    Assembler assembler(info);
+    assembler.submit(0, recorder.end_tile());
+    const Record record = assembler.finish(false);
+    const auto holds = [](const Estimate& e, double truth) { return e.lower <= truth && truth <= e.upper ? 1 : 0; };
+    for (std::size_t w = 0; w < 3; ++w) energies_held[w] += holds(energy(record, one[w]), means[w]);
+    shares_held[0] += holds(share(record, one[0], all), 0.5 / 4.1);
+    shares_held[1] += holds(share(record, one[2], all), 1.6 / 4.1);
+  }
+  for (const int held : {energies_held[0], energies_held[1], energies_held[2], shares_held[0], shares_held[1]}) {
+    EXPECT_GE(held, kRecords * 90 / 100);
+    EXPECT_LE(held, kRecords * 99 / 100);
+  }
+}
+
+}  // namespace
+}  // namespace heckbert::record
