@@ -53,8 +53,8 @@ TEST(BuiltinScenes, UnknownNameSuggestsTheNearest) {
 
 /// The nth corner of a shape, by the shape's name.
 glm::vec3 corner(const transport::Scene& scene, const std::string& name, std::size_t index) {
-  const auto shape = std::find_if(scene.shapes.begin(), scene.shapes.end(),
-                                  [&](const transport::Shape& s) { return s.name == name; });
+  const auto shape =
+      std::find_if(scene.shapes.begin(), scene.shapes.end(), [&](const transport::Shape& s) { return s.name == name; });
   return std::get<transport::Mesh>(shape->geometry).positions.at(index);
 }
 

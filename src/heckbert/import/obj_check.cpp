@@ -120,31 +120,28 @@ class Checker {
     } kinds[] = {{"position", totals_.positions, so_far_.positions},
                  {"texture coordinate", totals_.texture, so_far_.texture},
                  {"normal", totals_.normals, so_far_.normals}};
-    std::size_t part = 0;
-    for (std::string_view rest = token;; ++part) {
-      const std::size_t slash = rest.find('/');
-      const std::string_view piece = rest.substr(0, slash);
-      if (part >= 3 || (piece.empty() && part == 0)) {
-        report(at, token.size(), "expected a corner: v, v/t, v//n or v/t/n");
+    const auto malformed = [&] { report(at, token.size(), "expected a corner: v, v/t, v//n or v/t/n"); };
+    if (token.starts_with('/') || std::count(token.begin(), token.end(), '/') > 2) {
+      malformed();
+      return;
+    }
+    std::string_view rest = token;
+    for (const auto& kind : kinds) {
+      const std::string_view piece = rest.substr(0, rest.find('/'));
+      rest.remove_prefix(std::min(piece.size() + 1, rest.size()));
+      if (piece.empty()) {
+        continue;
+      }
+      const auto index = parse<long long>(piece);
+      if (!index) {
+        malformed();
         return;
       }
-      if (!piece.empty()) {
-        const auto index = parse<long long>(piece);
-        const auto& kind = kinds[part];
-        if (!index) {
-          report(at, token.size(), "expected a corner: v, v/t, v//n or v/t/n");
-          return;
-        }
-        if (*index == 0 || *index > kind.total || *index < -kind.so_far) {
-          report(at, token.size(),
-                 "there is no " + std::string(kind.what) + " " + std::to_string(*index) + ": the file has " +
-                     std::to_string(kind.total) + ", counted from 1");
-        }
+      if (*index == 0 || *index > kind.total || *index < -kind.so_far) {
+        report(at, token.size(),
+               "there is no " + std::string(kind.what) + " " + std::to_string(*index) + ": the file has " +
+                   std::to_string(kind.total) + ", counted from 1");
       }
-      if (slash == std::string_view::npos) {
-        return;
-      }
-      rest.remove_prefix(slash + 1);
     }
   }
 

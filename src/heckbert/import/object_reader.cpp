@@ -42,6 +42,9 @@ void Reader::adopt(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::string Reader::suggest(std::string_view given, const std::vector<std::string>& choices) {
+  if (choices.empty()) {
+    return "there are none";
+  }
   const std::string near = nearest(given, choices);
   return near.empty() ? "known: " + join(choices) : "did you mean \"" + near + "\"?";
 }
