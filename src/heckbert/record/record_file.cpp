@@ -14,9 +14,9 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
+#include <array>
+#include <cstddef>
+#include <utility>
 
 #include <heckbert/record/atomic_file.h>
 #include <heckbert/record/exr.h>
@@ -204,7 +204,7 @@ std::vector<taxonomy::Word> read_words(const Imf::Header& header) {
 
 std::vector<Rgb> read_batch_means(const Imf::Header& header, std::size_t word_count) {
   const std::vector<float>& means = exr::attribute<Imf::FloatVectorAttribute>(header, kBatchMeans);
-  require(means.size() == 3 * kBatches * word_count,
+  require(means.size() == word_count * kBatches * 3,
           fmt::format("the header attribute '{}' has {} numbers for {} words", kBatchMeans, means.size(), word_count));
   std::vector<Rgb> result(means.size() / 3);
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -17,7 +17,7 @@
 namespace heckbert::record {
 
 /// Sums of one word, batch by batch: r, g, b.
-using BatchSums = std::array<double, 3 * kBatches>;
+using BatchSums = std::array<double, std::size_t{3} * kBatches>;
 
 /// What one tile leaves: its pixels' entries and its words' batch sums, words by index into a list of its own.
 struct Tile {

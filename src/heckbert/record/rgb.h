@@ -10,7 +10,7 @@ struct Rgb {
   float r = 0, g = 0, b = 0;
 
   constexpr Rgb() = default;
-  constexpr Rgb(float r_, float g_, float b_) : r(r_), g(g_), b(b_) {}
+  constexpr Rgb(float red, float green, float blue) : r(red), g(green), b(blue) {}
   constexpr explicit Rgb(float grey) : r(grey), g(grey), b(grey) {}
 
   constexpr Rgb& operator+=(Rgb o) { return *this = {r + o.r, g + o.g, b + o.b}; }
