@@ -2,64 +2,77 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <string>
 #include <vector>
 
-#include <stb/stb_easy_font.h>
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb/stb_truetype.h>
+
+#include <heckbert/taxonomy/utf8.h>
 
 namespace heckbert::report {
+
+extern const unsigned char kCaptionFont[];  // a font file, compiled in
+
 namespace {
 
-/// One '?' for every character, not byte, that the font does not have.
-std::string printable(std::string_view utf8) {
-  std::string ascii;
-  for (const char c : utf8) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xC0) == 0x80;
-    if (!continues) ascii += byte >= 32 && byte < 127 ? c : '?';
-  }
-  return ascii;
-}
+struct Font {
+  stbtt_fontinfo info{};
+  float scale = 0;    ///< font units to pixels
+  float advance = 0;  ///< from one letter to the next, pixels
+  int baseline = 0;   ///< below the upper edge, pixels
 
-/// A corner of a quad as stb_easy_font writes it.
-struct Vertex {
-  float x, y, z;
-  std::array<unsigned char, 4> colour;
+  Font() {
+    stbtt_InitFont(&info, kCaptionFont, 0);
+    scale = stbtt_ScaleForPixelHeight(&info, kCaptionSize);
+    int ascent = 0, descent = 0, gap = 0, width = 0, bearing = 0;
+    stbtt_GetFontVMetrics(&info, &ascent, &descent, &gap);
+    stbtt_GetCodepointHMetrics(&info, 'L', &width, &bearing);
+    baseline = static_cast<int>(std::lround(scale * static_cast<float>(ascent)));
+    advance = scale * static_cast<float>(width);
+  }
 };
 
-void fill(Picture& picture, int x0, int y0, int x1, int y1, Colour colour) {
-  for (int y = std::max(y0, 0); y < std::min(y1, picture.height); ++y)
-    for (int x = std::max(x0, 0); x < std::min(x1, picture.width); ++x)
-      std::copy(colour.begin(), colour.end(), picture.rgb.begin() + 3 * (std::ptrdiff_t{y} * picture.width + x));
+const Font& font() {
+  static const Font kFont;
+  return kFont;
+}
+
+/// Mixes the colour into one pixel, if it is one of the picture's.
+void blend(Picture& picture, int x, int y, Colour colour, int coverage) {
+  if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
+  for (std::ptrdiff_t channel = 0; channel < 3; ++channel) {
+    auto& byte = picture.rgb[static_cast<std::size_t>(3 * (std::ptrdiff_t{y} * picture.width + x) + channel)];
+    const int ink = colour[static_cast<std::size_t>(channel)];
+    byte = static_cast<std::uint8_t>((byte * (255 - coverage) + ink * coverage) / 255);
+  }
 }
 
 }  // namespace
 
 void draw_caption(Picture& picture, int x, int y, std::string_view text, Colour colour) {
-  constexpr std::size_t kBytesPerLetter = 1024;  // no letter has more than 16 strokes of four corners
-  std::string ascii = printable(text);
-  std::vector<Vertex> corners((ascii.size() + 1) * kBytesPerLetter / sizeof(Vertex));
-  const int quads = stb_easy_font_print(0, 0, ascii.data(), nullptr, corners.data(),
-                                        static_cast<int>(corners.size() * sizeof(Vertex)));
-  const auto pixel = [](float unit) { return static_cast<int>(std::lround(unit * kCaptionScale)); };
-  for (std::size_t quad = 0; quad < static_cast<std::size_t>(quads); ++quad) {
-    const Vertex &low = corners[4 * quad], &high = corners[4 * quad + 2];
-    fill(picture, x + pixel(low.x), y + pixel(low.y), x + pixel(high.x), y + pixel(high.y), colour);
+  std::vector<unsigned char> letter;
+  float pen = static_cast<float>(x);
+  for (std::size_t at = 0; at < text.size(); pen += font().advance) {
+    const Utf8Character character = utf8_at(text, at);
+    at += character.length;
+    const int glyph = stbtt_FindGlyphIndex(&font().info, static_cast<int>(character.code));
+    const float left = std::floor(pen), shift = pen - left;
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    stbtt_GetGlyphBitmapBoxSubpixel(&font().info, glyph, font().scale, font().scale, shift, 0, &x0, &y0, &x1, &y1);
+    const int width = x1 - x0, height = y1 - y0;
+    letter.assign(static_cast<std::size_t>(width * height), 0);
+    stbtt_MakeGlyphBitmapSubpixel(&font().info, letter.data(), width, height, width, font().scale, font().scale, shift,
+                                  0, glyph);
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column)
+        blend(picture, static_cast<int>(left) + x0 + column, y + font().baseline + y0 + row, colour,
+              letter[static_cast<std::size_t>(row * width + column)]);
   }
 }
 
-int caption_width(std::string_view text) {
-  std::string ascii = printable(text);
-  return kCaptionScale * stb_easy_font_width(ascii.data());
-}
-
-std::string fitted_caption(std::string_view text, int width) {
-  std::string ascii = printable(text);
-  if (caption_width(ascii) <= width) return ascii;
-  while (!ascii.empty() && caption_width(ascii + "...") > width) ascii.pop_back();
-  return ascii + "...";
+std::size_t caption_columns(int width) {
+  return static_cast<std::size_t>(std::max(0.0f, static_cast<float>(width) / font().advance));
 }
 
 }  // namespace heckbert::report

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include <heckbert/report/caption.h>
 #include <heckbert/report/facts.h>
 #include <heckbert/report/numbers.h>
+#include <heckbert/report/text_table.h>
 
 namespace heckbert::report {
 namespace {
@@ -47,10 +49,15 @@ Picture contact_sheet(const record::Record& record, const Coverage& coverage, co
   };
   const Picture picture = cell(beauty);
 
+  const std::size_t columns = caption_columns(picture.width);
   std::vector<std::string> lines;
-  for (const Fact& fact : facts(coverage.info, coverage.tally)) lines.push_back(fact.label + ": " + fact.value);
-  lines.push_back("Glossy rule " + describe(coverage.glossy_rule));
-  lines.push_back(fmt::format("Exposure: {:+.2f} stops, the same everywhere", std::log2(exposure)));
+  const auto add_lines = [&](const std::string& text) {
+    std::istringstream wrapped(wrap(text, columns));
+    for (std::string line; std::getline(wrapped, line);) lines.push_back(cut(line, columns));
+  };
+  for (const Fact& fact : facts(coverage.info, coverage.tally)) add_lines(fact.label + ": " + fact.value);
+  add_lines("Glossy rule " + describe(coverage.glossy_rule));
+  add_lines(fmt::format("Exposure: {:+.2f} stops, for every picture", std::log2(exposure)));
 
   const int column = picture.width + kGutter;
   const int first_height = std::max(picture.height, static_cast<int>(lines.size()) * kCaptionHeight);
@@ -63,7 +70,7 @@ Picture contact_sheet(const record::Record& record, const Coverage& coverage, co
 
   const int left = kMargin, right = kMargin + column;
   const auto write = [&](int x, int y, const std::string& text, int width, Colour ink) {
-    draw_caption(sheet, x, y, fitted_caption(text, width), ink);
+    draw_caption(sheet, x, y, cut(text, caption_columns(width)), ink);
   };
 
   int y = kMargin;

@@ -11,8 +11,8 @@
 namespace heckbert::report {
 
 struct ContactSheetOptions {
-  std::optional<float> exposure;  ///< else auto_exposure() of the beauty
-  int picture_width = 384;        ///< of each picture, at most; small ones are enlarged by whole factors
+  std::optional<float> exposure{};  ///< else auto_exposure() of the beauty
+  int picture_width = 512;          ///< of each picture, at most; small ones are enlarged by whole factors
 };
 
 /// `coverage` must come from `record`. Time: one image of the record per picture.

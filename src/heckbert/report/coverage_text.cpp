@@ -41,7 +41,7 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
   std::vector<TextRow> rows;
   for (const GrammarCoverage& grammar : coverage.grammars)
     rows.push_back({.cells = {grammar.title, percent(grammar.share.mean), bracketed_percent(grammar.share),
-                              number(grammar.captured_energy.mean)},
+                              aligned_number(grammar.captured_energy.mean, coverage.total.mean)},
                     .notes = {expressions(grammar), missed(grammar, style.width - 2)},
                     .bar = grammar.share.mean});
   text +=

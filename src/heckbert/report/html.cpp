@@ -106,7 +106,7 @@ std::string reading_section(const Coverage& coverage) {
 <h2>How to read this page</h2>
 <p>{direction} An expression stands for many words at once: <code>?</code> means at most once, <code>*</code> any number
 of times, also none, <code>+</code> at least once, and <code>|</code> either of two.</p>
-<p>Glossy rule <strong>{rule}</strong>.</p>
+<p>Glossy rule {rule}.</p>
 <div class="columns">
 <table><caption>The letters</caption>
 <thead><tr><th scope="col">Letter</th><th scope="col">Meaning</th></tr></thead>
@@ -126,18 +126,19 @@ of times, also none, <code>+</code> at least once, and <code>|</code> either of 
 std::string shares_section(const Coverage& coverage) {
   std::string rows;
   for (const GrammarCoverage& grammar : coverage.grammars)
-    rows += fmt::format(R"(<tr><th scope="row"><a href="#{anchor}">{title}</a></th><td><code>{expression}</code></td>
+    rows += fmt::format(
+        R"(<tr><th scope="row"><a href="#{anchor}">{title}</a></th><td class="captures"><code>{expression}</code></td>
 <td class="number">{share}</td><td class="number">{interval}</td><td class="wide">{bar}</td></tr>
 )",
-                        arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)),
-                        arg("expression", escaped(grammar.expression)), arg("share", percent(grammar.share.mean)),
-                        arg("interval", percent_interval(grammar.share)), arg("bar", bar(grammar.share)));
+        arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)),
+        arg("expression", escaped(grammar.expression)), arg("share", percent(grammar.share.mean)),
+        arg("interval", percent_interval(grammar.share)), arg("bar", bar(grammar.share)));
   return fmt::format(R"(<section id="shares">
 <h2>Shares of the light</h2>
 <p>Share of the picture's mean luminance, {total}, that the words of each algorithm carry. An algorithm that captures a
 word may still give it a wrong or a noisy value; known biases are listed with each.</p>
 <div class="scroll" tabindex="0" role="region" aria-label="Shares of the light"><table class="shares">
-<thead><tr><th scope="col">Algorithm</th><th scope="col">Captures</th><th scope="col" class="number">Share</th>
+<thead><tr><th scope="col">Algorithm</th><th scope="col" class="captures">Captures</th><th scope="col" class="number">Share</th>
 <th scope="col" class="number">{level} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th>
 </tr></thead>
 <tbody>
@@ -218,10 +219,10 @@ std::string algorithm_article(const record::Record& record, const Coverage& cove
       arg("interval", percent_interval(grammar.share)),
       arg("captured_figure",
           part_figure(record, grammar.captured, exposure, width, "Captured: " + percent(grammar.share.mean),
-                      fmt::format("What {} captures: {} of the light, mostly {}", grammar.title,
-                                  percent(grammar.share.mean), word_list(grammar.top_captured)))),
+                      fmt::format("{} captures {} of the light, mostly {}", grammar.title, percent(grammar.share.mean),
+                                  word_list(grammar.top_captured)))),
       arg("missed_figure", part_figure(record, missed, exposure, width, "Missed: " + missed_percent,
-                                       fmt::format("What {} misses: {} of the light, mostly {}", grammar.title,
+                                       fmt::format("{} misses {} of the light, mostly {}", grammar.title,
                                                    missed_percent, word_list(grammar.top_missed)))),
       arg("captured_words", word_table("Words captured", grammar.top_captured, coverage.confidence)),
       arg("missed_words", word_table("Words missed", grammar.top_missed, coverage.confidence)),

@@ -12,10 +12,10 @@
 namespace heckbert::report {
 
 struct HtmlOptions {
-  std::optional<float> exposure;  ///< one for all pictures; else auto_exposure() of the beauty
-  std::size_t words = 24;         ///< rows of the table of the scene's words
-  int picture_width = 1280;       ///< of the picture, at most
-  int part_width = 640;           ///< of captured and missed, at most
+  std::optional<float> exposure{};  ///< one for all pictures; else auto_exposure() of the beauty
+  std::size_t words = 24;           ///< rows of the table of the scene's words
+  int picture_width = 1280;         ///< of the picture, at most
+  int part_width = 640;             ///< of captured and missed, at most
 };
 
 /// `coverage` must come from `record`. The page grows by some two pictures per grammar.

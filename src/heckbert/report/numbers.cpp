@@ -1,5 +1,6 @@
 #include <heckbert/report/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -32,6 +33,12 @@ std::string bracketed_percent(const record::Estimate& share) {
 
 std::string number(double value) {
   return fmt::format("{:.4g}", value);
+}
+
+std::string aligned_number(double value, double largest) {
+  if (largest <= 0) return "0";
+  const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 12);
+  return fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string grouped(std::uint64_t count) {

@@ -17,6 +17,8 @@ std::string percent_interval(const record::Estimate& share);
 std::string bracketed_percent(const record::Estimate& share);
 /// Four significant digits.
 std::string number(double value);
+/// With as many decimals as `largest` needs for four significant digits, so that a column lines up.
+std::string aligned_number(double value, double largest);
 /// 1234567 -> "1 234 567".
 std::string grouped(std::uint64_t count);
 /// "1 word", "2 words".

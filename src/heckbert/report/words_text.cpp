@@ -32,10 +32,11 @@ std::size_t shown_of(std::size_t size, std::size_t most) {
 std::string words_text(const std::vector<WordEnergy>& words, const TextStyle& style, std::size_t most) {
   if (words.empty()) return "No light was recorded.\n";
   const std::size_t shown = shown_of(words.size(), most);
+  const double largest = words.front().energy.mean;
   std::vector<TextRow> rows;
   for (std::size_t i = 0; i < shown; ++i)
     rows.push_back({.cells = {words[i].word, percent(words[i].share.mean), bracketed_percent(words[i].share),
-                              number(words[i].energy.mean), grouped(words[i].count)},
+                              aligned_number(words[i].energy.mean, largest), grouped(words[i].count)},
                     .bar = words[i].share.mean});
   return text_table({{"Word"},
                      {"Share", Align::Right},
@@ -50,11 +51,13 @@ std::string groups_text(const std::vector<WordGroup>& groups, GroupBy by, const 
   if (groups.empty()) return "No light was recorded.\n";
   const bool overlapping = by == GroupBy::Class || by == GroupBy::Algorithm;
   const std::size_t shown = shown_of(groups.size(), most);
+  double largest = 0;
+  for (const WordGroup& group : groups) largest = std::max(largest, group.energy.mean);
   std::vector<TextRow> rows;
   for (std::size_t i = 0; i < shown; ++i) {
     const WordGroup& group = groups[i];
     rows.push_back({.cells = {group.name, percent(group.share.mean), bracketed_percent(group.share),
-                              number(group.energy.mean), grouped(group.count), grouped(group.words)},
+                              aligned_number(group.energy.mean, largest), grouped(group.count), grouped(group.words)},
                     .bar = group.share.mean});
     if (!group.expression.empty()) rows.back().notes.push_back(group.expression);
   }

@@ -1,0 +1,175 @@
+// Shares, energies, intervals, grouping and rankings of records whose numbers are known.
+
+#include <heckbert/report/coverage.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report/sample_record.h"
+
+namespace heckbert::report {
+namespace {
+
+using test::four_grammars;
+using test::grammar_of;
+using test::sample_record;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+std::vector<std::string> names(const std::vector<WordEnergy>& words) {
+  std::vector<std::string> result;
+  for (const WordEnergy& word : words) result.push_back(word.word);
+  return result;
+}
+
+/// Powers of two, so that every sum and share is exact.
+record::Record simple_record() {
+  return sample_record(2, 2,
+                       {{.word = "LDE", .batches = {2, 2}, .count = 3},
+                        {.word = "LSE", .batches = {1, 1}},
+                        {.word = "LDDE", .batches = {4, 4}},
+                        {.word = "LSDE", .batches = {1, 1}}});
+}
+
+TEST(Coverage, GivesTheShareOfTheCapturedWords) {
+  const Coverage result = coverage(simple_record(), four_grammars());
+  EXPECT_NEAR(result.total.mean, 8, 1e-6);
+  const std::vector<std::pair<std::string, double>> expected{
+      {"ray-casting", 2.0 / 8}, {"radiosity", 6.0 / 8}, {"lecture", 3.0 / 8}, {"global-illumination", 1}};
+  ASSERT_EQ(result.grammars.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(result.grammars[i].name, expected[i].first);
+    EXPECT_NEAR(result.grammars[i].share.mean, expected[i].second, 1e-6) << expected[i].first;
+    EXPECT_NEAR(result.grammars[i].captured_energy.mean, 8 * expected[i].second, 1e-5) << expected[i].first;
+  }
+}
+
+TEST(Coverage, ListsWhatIsCapturedAndMissedMostFirst) {
+  const Coverage result = coverage(simple_record(), four_grammars());
+  EXPECT_THAT(names(result.words), ElementsAre("LDDE", "LDE", "LSE", "LSDE"));
+  EXPECT_THAT(names(result.grammars[0].top_captured), ElementsAre("LDE"));
+  EXPECT_THAT(names(result.grammars[0].top_missed), ElementsAre("LDDE", "LSE", "LSDE"));
+  EXPECT_THAT(names(result.grammars[3].top_missed), IsEmpty());
+}
+
+TEST(Coverage, CutsTheListsAtTheNumberAskedFor) {
+  const Coverage result = coverage(simple_record(), four_grammars(), {.top = 2});
+  EXPECT_THAT(names(result.grammars[0].top_missed), ElementsAre("LDDE", "LSE"));
+  EXPECT_EQ(result.words.size(), 4u) << "the words of the scene are never cut";
+}
+
+TEST(Coverage, LeavesWordsWithoutEnergyOutOfTheTopLists) {
+  const record::Record record =
+      sample_record(1, 1, {{.word = "LDE", .batches = {1, 1}}, {.word = "LSE", .batches = {0, 0}}});
+  const Coverage result = coverage(record, {grammar_of("a", "A", "LDE")});
+  EXPECT_THAT(names(result.words), ElementsAre("LDE", "LSE"));
+  EXPECT_THAT(names(result.grammars[0].top_missed), IsEmpty());
+}
+
+TEST(Coverage, AgreesWithTheStatisticsOfTheRecordItself) {
+  const record::Record record = test::lecture_like_record(8, 8);
+  const std::vector<bool> all(record.words.size(), true);
+  const Coverage result = coverage(record, four_grammars(), {.confidence = 0.9});
+  ASSERT_EQ(result.grammars.size(), 4u);
+  for (const GrammarCoverage& grammar : result.grammars) {
+    const record::Estimate share = record::share(record, grammar.captured, all, 0.9);
+    const record::Estimate energy = record::energy(record, grammar.captured, 0.9);
+    EXPECT_NEAR(grammar.share.mean, share.mean, 1e-6) << grammar.name;
+    EXPECT_NEAR(grammar.share.lower, share.lower, 1e-6) << grammar.name;
+    EXPECT_NEAR(grammar.share.upper, share.upper, 1e-6) << grammar.name;
+    EXPECT_NEAR(grammar.captured_energy.lower, energy.lower, 1e-6) << grammar.name;
+    EXPECT_NEAR(grammar.captured_energy.upper, energy.upper, 1e-6) << grammar.name;
+  }
+  ASSERT_EQ(result.words.size(), record.words.size());
+  for (const WordEnergy& word : result.words) {
+    const record::Record& r = record;
+    std::vector<bool> chosen(r.words.size());
+    for (std::size_t w = 0; w < chosen.size(); ++w) chosen[w] = plain(r.words[w]) == word.word;
+    EXPECT_NEAR(word.energy.upper, record::energy(r, chosen, 0.9).upper, 1e-6) << word.word;
+    EXPECT_NEAR(word.share.lower, record::share(r, chosen, all, 0.9).lower, 1e-6) << word.word;
+  }
+}
+
+TEST(Coverage, IntervalOfTwoBatchesIsStudentsWithOneDegree) {
+  // Batches 3 and 5: mean 4, standard error 1, t(0.75, 1 degree) = 1.
+  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {3, 5}}});
+  const Coverage result = coverage(record, {grammar_of("a", "A", "LDE")}, {.confidence = 0.5});
+  EXPECT_NEAR(result.total.lower, 3, 1e-6);
+  EXPECT_NEAR(result.total.upper, 5, 1e-6);
+  EXPECT_NEAR(result.grammars[0].share.lower, 1, 1e-9) << "a share of everything does not waver";
+}
+
+TEST(Coverage, OneSampleGivesNoInterval) {
+  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {3}}, {.word = "LSE", .batches = {1}}});
+  const Coverage result = coverage(record, {grammar_of("a", "A", "LDE")});
+  EXPECT_FALSE(result.grammars[0].share.known);
+  EXPECT_NEAR(result.grammars[0].share.mean, 0.75, 1e-6);
+}
+
+TEST(Coverage, GlossyRuleSaysWhetherLGEIsLDE) {
+  const record::Record record =
+      sample_record(1, 1, {{.word = "LDE", .batches = {1, 1}}, {.word = "LGE", .batches = {1, 1}}});
+  const std::vector<std::pair<taxonomy::GlossyRule, double>> expected{
+      {taxonomy::GlossyRule::Keep, 0.5}, {taxonomy::GlossyRule::Diffuse, 1}, {taxonomy::GlossyRule::Specular, 0.5}};
+  for (const auto& [rule, share] : expected) {
+    const Coverage result = coverage(record, {grammar_of("a", "A", "LD?E")}, {.glossy_rule = rule});
+    EXPECT_NEAR(result.grammars[0].share.mean, share, 1e-6);
+    EXPECT_EQ(result.glossy_rule, rule);
+  }
+}
+
+/// Three words that print LDE.
+record::Record alike_record() {
+  return sample_record(1, 2,
+                       {{.word = "LaDrEp", .batches = {1, 1}, .count = 2},
+                        {.word = "LpDrEp", .batches = {2, 2}, .count = 3},
+                        {.word = "LaDtEp", .batches = {4, 4}, .count = 5},
+                        {.word = "LaSrEp", .batches = {1, 1}, .count = 7}});
+}
+
+TEST(WordsByEnergy, PutsWordsThatPrintAlikeTogether) {
+  const auto words = words_by_energy(alike_record(), {true, true, true, true});
+  ASSERT_THAT(names(words), ElementsAre("LDE", "LSE"));
+  EXPECT_NEAR(words[0].energy.mean, 7, 1e-6);
+  EXPECT_NEAR(words[0].share.mean, 7.0 / 8, 1e-6);
+  EXPECT_EQ(words[0].count, 2u * (2 + 3 + 5)) << "over both pixels";
+  EXPECT_EQ(words[0].length, 1u);
+}
+
+TEST(WordsByEnergy, TellsThemApartInFineSpelling) {
+  const auto words = words_by_energy(alike_record(), {true, true, true, true}, Spelling::Fine);
+  EXPECT_THAT(names(words), ElementsAre("LaDtEp", "LpDrEp", "LaDrEp", "LaSrEp"));
+}
+
+TEST(WordsByEnergy, LeavesOutWordsThatAreNotChosenButNotFromTheWhole) {
+  const record::Record record = alike_record();
+  std::vector<bool> only_point(record.words.size());
+  for (std::size_t w = 0; w < only_point.size(); ++w) only_point[w] = record.words[w].light == taxonomy::Symbol::Lp;
+  const auto words = words_by_energy(record, only_point);
+  ASSERT_THAT(names(words), ElementsAre("LDE"));
+  EXPECT_NEAR(words[0].share.mean, 2.0 / 8, 1e-6);
+}
+
+TEST(Coverage, SplitsAWordThatIsCapturedForOneLightOnly) {
+  const Coverage result = coverage(alike_record(), {grammar_of("a", "A", "LaDrE | LaSE")});
+  EXPECT_THAT(names(result.grammars[0].top_captured), ElementsAre("LDE", "LSE"));
+  ASSERT_THAT(names(result.grammars[0].top_missed), ElementsAre("LDE"));
+  EXPECT_NEAR(result.grammars[0].top_missed[0].energy.mean, 6, 1e-6);
+}
+
+TEST(Coverage, OfARecordWithoutLightIsNought) {
+  for (const record::Record& record :
+       {sample_record(2, 2, {}), sample_record(2, 2, {{.word = "LDE", .batches = {0, 0}}})}) {
+    const Coverage result = coverage(record, four_grammars());
+    EXPECT_EQ(result.total.mean, 0);
+    ASSERT_EQ(result.grammars.size(), 4u);
+    for (const GrammarCoverage& grammar : result.grammars) {
+      EXPECT_EQ(grammar.share.mean, 0);
+      EXPECT_EQ(missed_share(result, grammar), 0);
+      EXPECT_THAT(grammar.top_missed, IsEmpty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace heckbert::report

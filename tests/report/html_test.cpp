@@ -1,0 +1,226 @@
+#include <heckbert/report/html.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <heckbert/report/facts.h>
+#include <heckbert/report/html_text.h>
+#include <heckbert/report/picture.h>
+
+#include "report/sample_record.h"
+
+namespace heckbert::report {
+namespace {
+
+using test::four_grammars;
+using test::lecture_like_record;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string page_of(const record::Record& record, const HtmlOptions& options = {}) {
+  return html(record, coverage(record, four_grammars()), options);
+}
+
+std::size_t count_of(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++count;
+  return count;
+}
+
+/// The page without its style sheet and without the data of its pictures, which regular expressions choke on.
+std::string skeleton(const std::string& page) {
+  std::string rest = page.substr(0, page.find("<style>") + 7) + page.substr(page.find("</style>"));
+  const std::string start = "data:image/png;base64,";
+  for (std::size_t at = rest.find(start); at != std::string::npos; at = rest.find(start, at + 1))
+    rest.erase(at + start.size(), rest.find('"', at) - at - start.size());
+  return rest;
+}
+
+/// What is wrong with the nesting of tags; empty when nothing is.
+std::string nesting_error(const std::string& page) {
+  static const std::regex tag(R"(<(/?)([a-zA-Z][a-zA-Z0-9]*)[^>]*>)");
+  static const std::set<std::string> without_end{"meta", "img"};
+  std::vector<std::string> open;
+  for (std::sregex_iterator it(page.begin(), page.end(), tag), end; it != end; ++it) {
+    const std::string name = (*it)[2];
+    if (without_end.count(name) != 0) continue;
+    if ((*it)[1].length() == 0) {
+      open.push_back(name);
+    } else if (open.empty() || open.back() != name) {
+      return "</" + name + "> closes " + (open.empty() ? "nothing" : "<" + open.back() + ">");
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty() ? "" : "<" + open.back() + "> is not closed";
+}
+
+std::vector<std::string> pictures_of(const std::string& page) {
+  std::vector<std::string> pictures;
+  const std::string start = "data:image/png;base64,";
+  for (std::size_t at = page.find(start); at != std::string::npos; at = page.find(start, at + 1))
+    pictures.push_back(page.substr(at + start.size(), page.find('"', at) - at - start.size()));
+  return pictures;
+}
+
+TEST(Html, NestingCheckerSeesMistakes) {
+  EXPECT_EQ(nesting_error("<p><b>x</b></p>"), "");
+  EXPECT_EQ(nesting_error("<p><b>x</p></b>"), "</p> closes <b>");
+  EXPECT_EQ(nesting_error("<p>"), "<p> is not closed");
+}
+
+TEST(Html, IsWellNestedWithAndWithoutLight) {
+  record::Record with_buffers = lecture_like_record(8, 6);
+  with_buffers.ambient.assign(48, Rgb(0.1f));
+  with_buffers.info.partial = true;
+  const std::vector<record::Record> records{lecture_like_record(8, 6), with_buffers, test::sample_record(4, 4, {}),
+                                            test::sample_record(4, 4, {{.word = "LDE", .batches = {0, 0}}}),
+                                            test::sample_record(1, 1, {{.word = "LE", .batches = {1}}})};
+  for (const record::Record& record : records) EXPECT_EQ(nesting_error(skeleton(page_of(record))), "");
+}
+
+TEST(Html, FetchesNothingAndRunsNothing) {
+  const std::string page = page_of(lecture_like_record(8, 6));
+  static const std::regex reference(R"re((src|href)="([^"]*)")re");
+  const std::string text = skeleton(page);
+  std::size_t references = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), reference), end; it != end; ++it, ++references) {
+    const std::string target = (*it)[2];
+    EXPECT_TRUE(target.starts_with("#") || target.starts_with("data:")) << target;
+  }
+  EXPECT_GE(references, 9u + 6u);
+  EXPECT_THAT(page, Not(HasSubstr("url(")));
+  EXPECT_THAT(page, Not(HasSubstr("@import")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("<link")));
+}
+
+TEST(Html, LinksLeadToPlacesOnThePage) {
+  const std::string text = skeleton(page_of(lecture_like_record(8, 6)));
+  static const std::regex link(R"re(href="#([^"]*)")re");
+  std::size_t links = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it, ++links)
+    EXPECT_EQ(count_of(text, "id=\"" + (*it)[1].str() + '"'), 1u) << (*it)[1];
+  EXPECT_EQ(links, 6u + 4u) << "sections and algorithms";
+}
+
+TEST(Html, ShowsEveryGrammarWithItsWords) {
+  const record::Record record = lecture_like_record(8, 6);
+  const Coverage coverage = report::coverage(record, four_grammars());
+  const std::string text = skeleton(html(record, coverage));
+  for (const GrammarCoverage& grammar : coverage.grammars) {
+    const std::size_t begin = text.find("<article id=\"algorithm-" + grammar.name + '"');
+    ASSERT_NE(begin, std::string::npos) << grammar.name;
+    const std::string article = text.substr(begin, text.find("</article>", begin) - begin);
+    EXPECT_THAT(article, HasSubstr(escaped(grammar.title)));
+    EXPECT_THAT(article, HasSubstr(escaped(grammar.expression)));
+    EXPECT_THAT(article, HasSubstr(escaped(grammar.source)));
+    for (const std::string& bias : grammar.biases) EXPECT_THAT(article, HasSubstr(escaped(bias)));
+    for (const auto* words : {&grammar.top_captured, &grammar.top_missed})
+      for (const WordEnergy& word : *words) EXPECT_THAT(article, HasSubstr("<code>" + word.word + "</code>"));
+    EXPECT_EQ(count_of(article, "<img "), 2u) << "captured and missed";
+  }
+}
+
+TEST(Html, ShowsTheFactsTheRuleAndTheTaxonomy) {
+  const record::Record record = lecture_like_record(8, 6);
+  const std::string text = skeleton(page_of(record));
+  for (const Fact& fact : facts(record.info, record.tally))
+    EXPECT_THAT(text, HasSubstr("<dt>" + fact.label + "</dt><dd>" + escaped(fact.value) + "</dd>"));
+  EXPECT_THAT(text, HasSubstr(escaped(describe(taxonomy::GlossyRule::Keep))));
+  for (const TaxonomyLine& line : kTaxonomyLines)
+    EXPECT_THAT(text, HasSubstr("<code>" + escaped(line.expression) + "</code>"));
+}
+
+TEST(Html, CutsTheWordsOfTheSceneAndSaysSo) {
+  const record::Record record = lecture_like_record(8, 6);
+  const std::string text = skeleton(page_of(record, {.words = 5}));
+  EXPECT_THAT(text, HasSubstr("And 7 more words with "));
+  EXPECT_THAT(skeleton(page_of(record)), Not(HasSubstr("more word")));
+}
+
+TEST(Html, AllPicturesHaveOneExposure) {
+  const record::Record record = lecture_like_record(8, 6);
+  const Coverage coverage = report::coverage(record, four_grammars());
+  const float exposure = auto_exposure(record::beauty(record));
+  std::vector<std::string> expected{base64(encode_png(to_srgb(record::beauty(record), exposure)))};
+  for (const GrammarCoverage& grammar : coverage.grammars) {
+    std::vector<bool> missed = grammar.captured;
+    missed.flip();
+    for (const auto& words : {grammar.captured, missed})
+      expected.push_back(base64(encode_png(to_srgb(image_of(record, words), exposure))));
+  }
+  EXPECT_EQ(pictures_of(html(record, coverage)), expected);
+  EXPECT_EQ(pictures_of(html(record, coverage, {.exposure = 3.0f}))[0],
+            base64(encode_png(to_srgb(record::beauty(record), 3.0f))));
+}
+
+TEST(Html, EveryPictureHasAnAlternativeText) {
+  const std::string text = skeleton(page_of(lecture_like_record(8, 6)));
+  static const std::regex image(R"re(<img [^>]*alt="([^"]*)")re");
+  std::size_t images = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), image), end; it != end; ++it, ++images)
+    EXPECT_GT((*it)[1].length(), 10) << (*it)[1];
+  EXPECT_EQ(images, 9u);
+  EXPECT_THAT(text, HasSubstr("alt=\"Ray casting captures "));
+}
+
+TEST(Html, EscapesWhatUsersWrite) {
+  record::Record record = lecture_like_record(4, 4);
+  record.info.scene = "<script>alert('x')</script> & \"more\"";
+  record.info.algorithm = record.info.version = "<b>";
+  auto grammars = four_grammars();
+  grammars[0].title = "<i>title</i>";
+  grammars[0].name = "a\"b";
+  grammars[0].source = "<u>source</u>";
+  grammars[0].biases = {"<s>bias</s>"};
+  const std::string text = skeleton(html(record, coverage(record, grammars)));
+  for (const char* bad : {"<script", "<b>&", "<i>title", "a\"b\"", "<u>", "<s>", "name=\"<b>"})
+    EXPECT_THAT(text, Not(HasSubstr(bad)));
+  EXPECT_THAT(text, HasSubstr("<h1>&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp; &quot;more&quot;</h1>"));
+  EXPECT_EQ(nesting_error(text), "");
+}
+
+TEST(Html, ShowsLightThatNoPathCarriesOnlyWhenThereIsSome) {
+  record::Record record = lecture_like_record(4, 4);
+  EXPECT_THAT(skeleton(page_of(record)), Not(HasSubstr("no path carries")));
+  const std::string before = page_of(record);
+  record.phantom.assign(16, Rgb(0.5f));
+  const std::string text = skeleton(page_of(record));
+  EXPECT_THAT(text, HasSubstr("outside of coverage"));
+  EXPECT_THAT(text, HasSubstr("Phantom mirror"));
+  EXPECT_THAT(text, Not(HasSubstr("Ambient term")));
+  auto pictures = pictures_of(page_of(record));
+  pictures.pop_back();
+  EXPECT_EQ(pictures, pictures_of(before)) << "it changes no other picture";
+}
+
+TEST(Html, WarnsOfWhatMustNotBeOverlooked) {
+  record::Record record = lecture_like_record(4, 4);
+  EXPECT_EQ(count_of(page_of(record), "class=\"warning\""), 0u);
+  record.info.partial = true;
+  record.tally.rejected_not_finite = 3;
+  const std::string text = skeleton(page_of(record));
+  EXPECT_THAT(text, HasSubstr("interrupted"));
+  EXPECT_THAT(text, HasSubstr("3 not finite"));
+}
+
+TEST(Base64, EncodesTheVectorsOfRfc4648) {
+  const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},
+                                                                 {"f", "Zg=="},
+                                                                 {"fo", "Zm8="},
+                                                                 {"foo", "Zm9v"},
+                                                                 {"foob", "Zm9vYg=="},
+                                                                 {"fooba", "Zm9vYmE="},
+                                                                 {"foobar", "Zm9vYmFy"}};
+  for (const auto& [plain, encoded] : vectors) EXPECT_EQ(base64(std::as_bytes(std::span(plain))), encoded);
+  const std::string high = "\xfb\xff\xfe";
+  EXPECT_EQ(base64(std::as_bytes(std::span(high))), "+//+");
+}
+
+}  // namespace
+}  // namespace heckbert::report
