@@ -4,7 +4,9 @@
 // Source: Hopcroft, Motwani, Ullman, "Introduction to Automata Theory", 2.3.5.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -15,7 +17,7 @@
 namespace heckbert::taxonomy {
 
 /// Moves of the nondeterministic automaton that subset construction may follow: a fraction of a second.
-inline constexpr std::size_t kMoveBudget = 40'000'000;
+inline constexpr std::size_t kMoveBudget = 10'000'000;
 
 [[noreturn]] inline void throw_state_limit() {
   throw LimitError("the automaton needs more than " + std::to_string(kStateBudget) + " states");
@@ -59,11 +61,17 @@ struct SubsetHash {
   }
 };
 
+/// For each symbol the first one that moves every state of all these automata to the same place. Most letters of an
+/// expression come without subscripts, so a few symbols stand for all and the construction is several times quicker.
+std::array<Symbol, kSymbolCount> twin_symbols(std::initializer_list<const Language*> automata);
+
 /// The minimal language of the automaton with states 0 .. size-1 that starts in what `start(subset)` inserts, goes from
 /// q with symbol s to what `step(q, s, subset)` inserts and accepts in q when `accepts(q)`.
-/// Errors: LimitError beyond kStateBudget states or kMoveBudget insertions.
+/// `twins` may name for each symbol an earlier one with the same steps. Errors: LimitError beyond kStateBudget states
+/// or kMoveBudget insertions.
 template <class Start, class Step, class Accepts>
-Language determinize(std::size_t size, Start start, Step step, Accepts accepts) {
+Language determinize(std::size_t size, const std::array<Symbol, kSymbolCount>& twins, Start start, Step step,
+                     Accepts accepts) {
   Subset subset(size);
   std::unordered_map<std::vector<StateId>, StateId, SubsetHash> number;
   std::vector<const std::vector<StateId>*> sets;  // keys of `number`, which do not move
@@ -82,6 +90,10 @@ Language determinize(std::size_t size, Start start, Step step, Accepts accepts) 
     State state;
     for (const StateId q : *sets[i]) state.accepting = state.accepting || accepts(q);
     for (const SymbolFacts& f : kSymbols) {
+      if (const Symbol twin = twins[index(f.symbol)]; twin != f.symbol) {
+        state.next[index(f.symbol)] = state.next[index(twin)];
+        continue;
+      }
       subset.clear();
       for (const StateId q : *sets[i]) step(q, f.symbol, subset);
       state.next[index(f.symbol)] = enter();

@@ -171,10 +171,11 @@ class Compiler {
     constexpr std::size_t kShown = 60;
     std::string text = source_.text(offset, std::min(length, kShown));
     if (length > kShown) text += "...";
+    const bool is_counting = text.find('{') != std::string::npos;
     std::string message =
         format(diagnose(source_.name, source_.document, offset, length, "'" + text + "' is too large: " + error.what(),
-                        "lower its counts, or drop a '*' or '+' beside a count: what follows must be "
-                        "remembered for every place where the counting may have begun"));
+                        is_counting ? "lower a count, or take away a '*' or '+' beside one"
+                                    : "split the expression into smaller ones"));
     message.pop_back();  // the newline
     throw LimitError(message);
   }

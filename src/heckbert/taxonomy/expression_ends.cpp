@@ -54,7 +54,7 @@ class EndsCheck {
     const bool light_first = s.first & kLights, light_last = s.last & kLights;
     const bool eye_first = s.first & kEyes, eye_last = s.last & kEyes;
     const int forward = light_first + eye_last, backward = eye_first + light_last;
-    if (forward == 1 && backward == 1 && (light_first == light_last)) {
+    if (word_.kind != NodeKind::Letters && forward == 1 && backward == 1 && light_first == light_last) {
       report_equal_ends(light_first ? "light ends (L)" : "eye ends (E)", light_first ? "E" : "L");
       return std::nullopt;
     }

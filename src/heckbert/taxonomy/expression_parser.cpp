@@ -18,12 +18,7 @@ class Parser {
       return {};
     }
     Node node = parse_union();
-    while (peek().kind != TokenKind::End) {
-      // Only a ')' too many stops the descent early. What follows it is read for its own errors.
-      report(peek(), "')' closes nothing");
-      next();
-      if (starts_atom(peek())) parse_union();
-    }
+    if (gave_up_) return {};
     return node;
   }
 
@@ -104,6 +99,9 @@ class Parser {
         report(peek(), "'!' complements a whole expression and cannot stand inside a word",
                "an event other than S is written [^S]");
         next();
+      } else if (peek().kind == TokenKind::Close && open_groups_ == 0) {
+        report(peek(), "')' closes nothing");
+        next();
       } else {
         break;
       }
@@ -152,16 +150,18 @@ class Parser {
       return {};
     }
     if (++depth_ > kMaxDepth) return give_up(open);
+    ++open_groups_;
     Node inner = parse_union();
+    --open_groups_;
     --depth_;
     if (peek().kind == TokenKind::Close) {
       const Token& close = next();
       inner.offset = open.offset;
       inner.length = close.offset + close.length - open.offset;
-    } else if (!gave_up_) {
-      report(open, "'(' is never closed; expected ')'");
+      return inner;
     }
-    return inner;
+    if (!gave_up_) report(open, "'(' is never closed; expected ')'");
+    return {};
   }
 
   // The rest is skipped; what follows would only repeat the same error.
@@ -195,6 +195,7 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
+  std::size_t open_groups_ = 0;
   bool gave_up_ = false;
 };
 

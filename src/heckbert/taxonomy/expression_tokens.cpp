@@ -243,6 +243,10 @@ class TokenReader {
       source_.report(at_, 1, "a byte that is not UTF-8; expected " + std::string(kLettersExpected));
       return 1;
     }
+    if (character.code < 0x20 || (character.code >= 0x7F && character.code < 0xA0)) {
+      source_.report(at_, character.length, "a control character; expected " + std::string(kLettersExpected));
+      return character.length;
+    }
     // Full-width forms are the ASCII characters at a fixed distance.
     if (character.code >= 0xFF01 && character.code <= 0xFF5E) {
       source_.report(at_, character.length, "a full-width character",

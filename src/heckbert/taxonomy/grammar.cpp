@@ -135,13 +135,14 @@ class GrammarReader {
     return at == fields_.end() ? nullptr : &*at;
   }
 
-  // The value as one line of prose: comment lines left out, lines joined by one blank.
-  std::string prose(const Field& field) const {
+  // The value on one line: comments left out, lines joined by one blank. In prose a '#' may follow other text ("#11").
+  std::string one_line(const Field& field) const {
+    const bool is_expression = field.key == Key::Expression || field.key == Key::ExpressionDelta;
     std::string joined;
     std::string_view rest = text_.substr(field.begin, field.end - field.begin);
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
-      const std::string_view line = trimmed(rest.substr(0, end));
+      const std::string_view line = trimmed(rest.substr(0, std::min(end, is_expression ? rest.find('#') : end)));
       if (!line.empty() && line.front() != '#') joined += (joined.empty() ? "" : " ") + std::string(line);
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
@@ -157,7 +158,7 @@ class GrammarReader {
       errors_.push_back(std::move(missing));
       return {};
     }
-    std::string value = prose(*field);
+    std::string value = one_line(*field);
     if (value.empty())
       report(field->key_offset, key_name(key).size(), "the key " + quoted(key_name(key)) + " has no value");
     return value;
@@ -176,15 +177,16 @@ class GrammarReader {
     grammar_.source = required(Key::Source);
     grammar_.order = parse_order(required(Key::Order));
     grammar_.expression = required(Key::Expression);
-    if (grammar_.kind == GrammarKind::Algorithm) {
+    // Nothing is asked of a kind that is neither.
+    if (kind == "algorithm") {
       grammar_.expression_delta = required(Key::ExpressionDelta);
-    } else if (const Field* delta = find(Key::ExpressionDelta)) {
+    } else if (const Field* delta = find(Key::ExpressionDelta); kind == "class" && delta != nullptr) {
       report(delta->key_offset, key_name(Key::ExpressionDelta).size(),
              "a class has one expression for every kind of light", "write La, Lp, Ld or Le in 'expression'");
     }
     for (const Field& field : fields_) {
-      if (field.key == Key::Bias) grammar_.biases.push_back(prose(field));
-      if (field.key == Key::Notes) grammar_.notes = prose(field);
+      if (field.key == Key::Bias) grammar_.biases.push_back(one_line(field));
+      if (field.key == Key::Notes) grammar_.notes = one_line(field);
     }
   }
 
@@ -212,8 +214,9 @@ class GrammarReader {
 
   Language compile_field(Key key, const GrammarLibrary& library) {
     const Field* field = find(key);
-    if (field == nullptr || field->begin == field->end) return {};
-    if (key == Key::ExpressionDelta && grammar_.expression_delta == kNoPath) return {};
+    const std::string& written = key == Key::Expression ? grammar_.expression : grammar_.expression_delta;
+    if (field == nullptr || written.empty()) return {};  // reported
+    if (key == Key::ExpressionDelta && written == kNoPath) return {};
     ExpressionSource expression{source_, text_, field->begin, field->end, {}};
     const auto language = compile(expression, library.names());
     errors_.insert(errors_.end(), expression.errors.begin(), expression.errors.end());

@@ -1,6 +1,7 @@
 // The algebra of languages: one walk over pairs of states gives union, intersection, difference and inclusion; one
 // subset construction gives concatenation, repetition and reversal.
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -56,6 +57,22 @@ std::vector<bool> dead_states(const Language& a) {
 
 }  // namespace
 
+std::array<Symbol, kSymbolCount> twin_symbols(std::initializer_list<const Language*> automata) {
+  const auto are_twins = [&](std::size_t s, std::size_t t) {
+    return std::all_of(automata.begin(), automata.end(), [&](const Language* a) {
+      return std::all_of(a->states().begin(), a->states().end(),
+                         [&](const State& state) { return state.next[s] == state.next[t]; });
+    });
+  };
+  std::array<Symbol, kSymbolCount> twins{};
+  for (std::size_t s = 0; s < kSymbolCount; ++s) {
+    std::size_t first = 0;
+    while (first < s && !are_twins(first, s)) ++first;
+    twins[s] = static_cast<Symbol>(first);
+  }
+  return twins;
+}
+
 Language operator|(const Language& a, const Language& b) {
   return Language::from_automaton(walk_pairs(a, b, [](bool in_a, bool in_b) { return in_a || in_b; }));
 }
@@ -87,7 +104,7 @@ Language concat(const Language& a, const Language& b) {
     if (a.states()[q].accepting && !dead_b[0]) to.insert(size_a);
   };
   return determinize(
-      std::size_t{size_a} + size_b, [&](Subset& to) { enter_a(0, to); },
+      std::size_t{size_a} + size_b, twin_symbols({&a, &b}), [&](Subset& to) { enter_a(0, to); },
       [&](StateId q, Symbol s, Subset& to) {
         if (q < size_a) return enter_a(a.states()[q].next[index(s)], to);
         const StateId next = b.states()[q - size_a].next[index(s)];
@@ -122,7 +139,7 @@ Language repeat(const Language& a, unsigned at_least, std::optional<unsigned> at
     }
   };
   return determinize(
-      copies * size, [&](Subset& to) { enter(0, 0, to); },
+      copies * size, twin_symbols({&a}), [&](Subset& to) { enter(0, 0, to); },
       [&](StateId q, Symbol s, Subset& to) { enter(q / size, a.states()[q % size].next[index(s)], to); },
       [&](StateId q) { return q / size + 1 >= at_least && a.states()[q % size].accepting; });
 }
@@ -133,7 +150,7 @@ Language reverse(const Language& a) {
   for (StateId q = 0; q < size; ++q)
     for (std::size_t s = 0; s < kSymbolCount; ++s) before[a.states()[q].next[s]][s].push_back(q);
   return determinize(
-      size,
+      size, twin_symbols({&a}),
       [&](Subset& to) {
         for (StateId q = 0; q < size; ++q)
           if (a.states()[q].accepting) to.insert(q);
