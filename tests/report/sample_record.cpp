@@ -106,6 +106,7 @@ std::vector<taxonomy::Grammar> four_grammars() {
   grammars[1].source = "Goral et al., 1984";
   grammars[1].biases = {"patches give LDDE a wrong value"};
   grammars[2].expression_delta = "LDS*E";
+  grammars[3].expression_delta = grammars[3].expression;
   return grammars;
 }
 

@@ -106,6 +106,10 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
   return result;
 }
 
+bool has_two_expressions(const GrammarCoverage& grammar) {
+  return !grammar.expression_delta.empty() && grammar.expression_delta != grammar.expression;
+}
+
 double missed_share(const Coverage& coverage, const GrammarCoverage& grammar) {
   return coverage.total.mean > 0 ? 1 - grammar.share.mean : 0;
 }

@@ -58,6 +58,9 @@ struct CoverageOptions {
 Coverage coverage(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                   const CoverageOptions& options = {});
 
+/// Are lights that a ray cannot hit told apart, and does it make a difference?
+bool has_two_expressions(const GrammarCoverage& grammar);
+
 /// What the grammar leaves of all recorded energy; 0 when there is none.
 double missed_share(const Coverage& coverage, const GrammarCoverage& grammar);
 

@@ -10,7 +10,7 @@ namespace heckbert::report {
 namespace {
 
 std::string expressions(const GrammarCoverage& grammar) {
-  if (grammar.expression_delta.empty()) return grammar.expression;
+  if (!has_two_expressions(grammar)) return grammar.expression;
   return fmt::format("{}   for lights that cannot be hit: {}", grammar.expression, grammar.expression_delta);
 }
 

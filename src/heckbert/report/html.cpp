@@ -73,7 +73,7 @@ have missed?</p>
 std::string picture_section(const record::Image& beauty, const Coverage& coverage, float exposure, int width) {
   return fmt::format(R"(<section id="picture" aria-label="The picture">
 <figure class="picture">{picture}
-<figcaption>The picture: all recorded light. Traced by {algorithm}, {samples} samples per pixel, seed {seed}.
+<figcaption>The picture: all recorded light. Traced with <code>{algorithm}</code>, {samples} samples per pixel, seed {seed}.
 Every picture on this page has the same exposure, {stops:+.2f} stops.</figcaption></figure>
 </section>
 )",
@@ -104,8 +104,10 @@ std::string reading_section(const Coverage& coverage) {
                          escaped(line.expression), line.meaning);
   return fmt::format(R"(<section id="reading">
 <h2>How to read this page</h2>
-<p>{direction} An expression stands for many words at once: <code>?</code> means at most once, <code>*</code> any number
-of times, also none, <code>+</code> at least once, and <code>|</code> either of two.</p>
+<p>{direction}</p>
+<p>An expression stands for many words at once: <code>?</code> means at most once, <code>*</code> any number of times,
+also none, <code>+</code> at least once, <code>|</code> either of two. <code>N</code> is D or G, <code>X</code> is D, G
+or S, and a dot is any event.</p>
 <p>Glossy rule {rule}.</p>
 <div class="columns">
 <table><caption>The letters</caption>
@@ -173,7 +175,7 @@ std::string word_table(std::string_view caption, const std::vector<WordEnergy>& 
 }
 
 std::string expressions(const GrammarCoverage& grammar) {
-  if (grammar.expression_delta.empty())
+  if (!has_two_expressions(grammar))
     return fmt::format("<p><code class=\"expression\">{}</code></p>\n", escaped(grammar.expression));
   return fmt::format(
       R"(<dl class="expressions"><div><dt>Lights that a ray can hit</dt><dd><code class="expression">{}</code></dd></div>
@@ -186,7 +188,7 @@ std::string biases(const GrammarCoverage& grammar) {
   if (grammar.biases.empty()) return {};
   std::string items;
   for (const std::string& bias : grammar.biases) items += fmt::format("<li>{}</li>\n", escaped(bias));
-  return fmt::format("<p>Captured words that it gets wrong:</p>\n<ul>\n{}</ul>\n", items);
+  return fmt::format("<p>Known biases:</p>\n<ul>\n{}</ul>\n", items);
 }
 
 std::string part_figure(const record::Record& record, const std::vector<bool>& words, float exposure, int width,
