@@ -146,6 +146,14 @@ TEST(ReadRecord, ChecksWhatTheFileClaims) {
   }
 }
 
+/// Made anew, because Header::erase of OpenEXR 3.1 leaks the attribute.
+Imf::Header without(const Imf::Header& header, const std::string& name) {
+  Imf::Header rest(header.displayWindow(), header.dataWindow());
+  for (auto i = header.begin(); i != header.end(); ++i)
+    if (name != i.name()) rest.insert(i.name(), i.attribute());
+  return rest;
+}
+
 /// Copies a good record's header to an empty deep image of its own, changed by `change`; writes `lines` of its lines.
 void write_deep(const fs::path& from, const fs::path& to, const std::function<void(Imf::Header&)>& change, int lines) {
   Imf::Header header = Imf::DeepScanLineInputFile(from.c_str()).header();
@@ -168,9 +176,9 @@ TEST(ReadRecord, ChecksTheHeader) {
   write_record(empty, folder / "good.exr");
   using Header = Imf::Header;
   const std::vector<std::pair<std::function<void(Header&)>, const char*>> cases{
-      {[](Header& h) { h.erase("heckbert.record"); }, "a deep EXR of another kind; expected a record"},
+      {[](Header& h) { h = without(h, "heckbert.record"); }, "a deep EXR of another kind; expected a record"},
       {[](Header& h) { h.insert("heckbert.record", Imf::IntAttribute(99)); }, "layout version 99; expected a record"},
-      {[](Header& h) { h.erase("idManifest"); }, "the id manifest is missing"},
+      {[](Header& h) { h = without(h, "idManifest"); }, "the id manifest is missing"},
       {[](Header& h) { Imf::addIDManifest(h, Imf::IDManifest()); }, "does not tell about the channel 'id'"},
       {[](Header& h) {
          Imf::IDManifest manifest;
@@ -186,11 +194,11 @@ TEST(ReadRecord, ChecksTheHeader) {
          Imf::addIDManifest(h, manifest);
        },
        "'LDE' without subscripts"},
-      {[](Header& h) { h.erase("heckbert.batch_means"); }, "'heckbert.batch_means' is missing"},
-      {[](Header& h) { h.erase("heckbert.tally.roulette"); }, "'heckbert.tally.roulette' is missing"},
+      {[](Header& h) { h = without(h, "heckbert.batch_means"); }, "'heckbert.batch_means' is missing"},
+      {[](Header& h) { h = without(h, "heckbert.tally.roulette"); }, "'heckbert.tally.roulette' is missing"},
       {[](Header& h) { h.insert("heckbert.tally.hits", Imf::StringAttribute("12x")); }, "'12x', not a whole number"},
       {[](Header& h) { h.insert("heckbert.seed", Imf::StringAttribute("-1")); }, "'-1', not a whole number"},
-      {[](Header& h) { h.erase("heckbert.scene"), h.insert("heckbert.scene", Imf::IntAttribute(1)); },
+      {[](Header& h) { h = without(h, "heckbert.scene"), h.insert("heckbert.scene", Imf::IntAttribute(1)); },
        "'heckbert.scene' is missing or of another type"},
       {[](Header& h) { h.channels().insert("count", Imf::Channel(Imf::FLOAT)); },
        "the channel 'count' is missing or of another type"},

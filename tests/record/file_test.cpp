@@ -42,7 +42,7 @@ TEST(RecordFile, GivesBackWhatWasWritten) {
   long_word.words = {"LDE"_word, {taxonomy::Symbol::La, std::vector(400, taxonomy::Symbol::St), taxonomy::Symbol::El}};
   long_word.entries = {{0, Rgb(1e-40f), 1}, {1, {0, 3e38f, 1}, 4294967295u}};
   long_word.offsets = {0, 2};
-  long_word.batch_means.resize(2 * kBatches, Rgb(0.1f));
+  long_word.batch_means.resize(std::size_t{2} * kBatches, Rgb(0.1f));
 
   const std::vector<std::pair<const char*, const Record*>> cases{{"made up", &made_up},
                                                                  {"phantom", &with_non_path},

@@ -201,7 +201,7 @@ TEST(Record, HasTheBatchMeansOfAnExampleByHand) {
   const Record record = record_of_one_tile(info, recorder.end_tile());
 
   ASSERT_EQ(record.words, (std::vector{"LDE"_word, "LSE"_word}));
-  std::vector<Rgb> expected(2 * kBatches);
+  std::vector<Rgb> expected(std::size_t{2} * kBatches);
   expected[0] = {1, 0.25f, 0.25f};  // (1 + 3) / 2 samples / 2 pixels
   expected[kBatches - 1] = Rgb(2);  // 8 / 2 / 2
   EXPECT_EQ(record.batch_means, expected);

@@ -38,7 +38,7 @@ Record record_with(int samples_per_pixel, const std::vector<std::vector<float>>&
   Record record;
   record.info = info_for({0, 0, 1, 1}, samples_per_pixel);
   record.words = {"LE"_word, "LDE"_word, "LSE"_word};
-  record.batch_means.resize(3 * kBatches);
+  record.batch_means.resize(std::size_t{3} * kBatches);
   for (std::size_t w = 0; w < by_word_and_batch.size(); ++w)
     for (std::size_t b = 0; b < by_word_and_batch[w].size(); ++b)
       record.batch_means[w * kBatches + b] = Rgb(by_word_and_batch[w][b]);
