@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include <glm/geometric.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <heckbert/import/import.h>
@@ -124,7 +126,45 @@ TEST(ObjMaterial, EmissionIsALightAndReplacesTheGuessedEnvironment) {
   const Imported lamp = with_material("Kd .5 .5 .5\nKe 4 4 4\n");
   EXPECT_EQ(lamp.scene.environment, Rgb(0));
   EXPECT_EQ(lamp.scene.materials[0].emission, Rgb(4));
-  EXPECT_EQ(lamp.scene.materials[0].emission_sides, Sides::Both);
+}
+
+TEST(ObjLamp, FlatOnesShineIntoTheSceneAndOthersOnBothSides) {
+  const struct {
+    const char* faces;
+    bool both;
+  } kRows[] = {
+      {"f 5 6 7 8\n", false},                       // under the ceiling, facing up
+      {"f 8 7 6 5\n", false},                       // facing down
+      {"f 5 6 7\nf 8 7 5\n", false},                // one triangle each way
+      {"f 5 6 7 8\nf 5 6 2 1\n", true},             // a corner of two planes
+      {"g a\nf 5 6 7 8\ng b\nf 5 6 2 1\n", false},  // two lamps, each flat
+  };
+  const TemporaryFolder folder;
+  folder.write("m.mtl", "newmtl wall\nKd .5 .5 .5\nnewmtl lamp\nKd .5 .5 .5\nKe 4 4 4\n");
+  for (const auto& row : kRows) {
+    SCOPED_TRACE(row.faces);
+    const Scene scene =
+        load_scene(folder.write("room.obj",
+                                "mtllib m.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\n"
+                                "v -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\nusemtl wall\nf 1 4 3 2\nusemtl lamp\n" +
+                                    std::string(row.faces)))
+            .scene;
+    EXPECT_EQ(scene.materials[1].emission_sides, row.both ? Sides::Both : Sides::Front);
+    std::size_t lamps = 0;
+    for (const Shape& shape : scene.shapes) {
+      const auto& mesh = std::get<Mesh>(shape.geometry);
+      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3 t = mesh.triangles[i];
+        const glm::vec3 a = mesh.positions[t.x];
+        const glm::vec3 normal = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
+        if (mesh.face_materials[i] == 1) {
+          ++lamps;
+          EXPECT_TRUE(row.both || glm::dot(normal, glm::vec3(0, 1, 0) - a) > 0) << i;
+        }
+      }
+    }
+    EXPECT_GE(lamps, 2u);
+  }
 }
 
 TEST(ObjMaterial, MissingOnesBecomeGreyAndThatIsTold) {
@@ -271,6 +311,7 @@ TEST(McGuireBoxes, HaveTheLobesThatTheirNamesPromise) {
     ASSERT_NE(lamp, scene.materials.end());
     EXPECT_EQ(lamp->name, "light");
     EXPECT_EQ(lamp->emission, row.lamp);
+    EXPECT_EQ(lamp->emission_sides, Sides::Front);
     EXPECT_EQ(scene.environment, Rgb(0));
     EXPECT_GT(scene.camera.position.z, 3) << "the boxes are open towards +z";
     EXPECT_THAT(imported.account.guessed, Contains(HasSubstr("no camera")));

@@ -2,41 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+
+#include <heckbert/import/mesh.h>
 
 namespace heckbert::import {
 namespace {
 
 using namespace transport;
-
-struct Box {
-  glm::vec3 low{std::numeric_limits<float>::max()};
-  glm::vec3 high{std::numeric_limits<float>::lowest()};
-
-  void add(glm::vec3 p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-};
-
-Box bounds(const std::vector<Shape>& shapes) {
-  Box box;
-  for (const Shape& shape : shapes) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-      box.add(sphere->center - sphere->radius);
-      box.add(sphere->center + sphere->radius);
-    } else {
-      for (const glm::vec3 p : std::get<Mesh>(shape.geometry).positions) {
-        box.add(p);
-      }
-    }
-  }
-  return box;
-}
 
 /// Area of the triangles that lie within a thin slab about the plane z = `z`: how much of that end is walled in.
 float wall_area(const std::vector<Shape>& shapes, float z, float thickness) {
@@ -59,7 +34,7 @@ float wall_area(const std::vector<Shape>& shapes, float z, float thickness) {
 Camera frame(const std::vector<Shape>& shapes) {
   constexpr float kMargin = 1.02f;
   constexpr float kSlab = 0.02f;
-  const Box box = bounds(shapes);
+  const Bounds box = bounds_of(shapes);
   const glm::vec3 size = box.high - box.low;
   const glm::vec3 middle = 0.5f * (box.low + box.high);
   const float thickness = kSlab * size.z;

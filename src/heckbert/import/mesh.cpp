@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +16,25 @@ bool has_area(const Mesh& mesh, glm::uvec3 triangle) {
   const glm::vec3 u = mesh.positions[triangle.y] - a;
   const glm::vec3 v = mesh.positions[triangle.z] - a;
   return glm::length(glm::cross(u, v)) > 0;
+}
+
+Bounds bounds_of(const std::vector<transport::Shape>& shapes) {
+  Bounds box;
+  const auto add = [&](glm::vec3 p) {
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  };
+  for (const transport::Shape& shape : shapes) {
+    if (const auto* sphere = std::get_if<transport::Sphere>(&shape.geometry)) {
+      add(sphere->center - sphere->radius);
+      add(sphere->center + sphere->radius);
+    } else {
+      for (const glm::vec3 p : std::get<Mesh>(shape.geometry).positions) {
+        add(p);
+      }
+    }
+  }
+  return box;
 }
 
 void transform(Mesh& mesh, const glm::mat4& to_world) {

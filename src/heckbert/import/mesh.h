@@ -1,6 +1,8 @@
 #pragma once
 // Small services on meshes that more than one importer needs.
 
+#include <limits>
+
 #include <glm/mat4x4.hpp>
 
 #include <heckbert/transport/scene.h>
@@ -9,6 +11,13 @@ namespace heckbert::import {
 
 /// Whether the triangle is more than a line or a point, in float arithmetic.
 bool has_area(const transport::Mesh& mesh, glm::uvec3 triangle);
+
+/// An axis-aligned box; empty when low is above high.
+struct Bounds {
+  glm::vec3 low{std::numeric_limits<float>::max()};
+  glm::vec3 high{std::numeric_limits<float>::lowest()};
+};
+Bounds bounds_of(const std::vector<transport::Shape>& shapes);
 
 /// Moves positions and normals. A transform that mirrors also reverses the corners, so that the front stays the front.
 void transform(transport::Mesh& mesh, const glm::mat4& to_world);

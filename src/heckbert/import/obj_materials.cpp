@@ -137,10 +137,6 @@ class Mapper {
   void add_emission() {
     const auto limit = [](float x) { return std::isfinite(x) ? std::clamp(x, 0.0f, static_cast<float>(kHuge)) : 0.0f; };
     material_.emission = {limit(from_.emission[0]), limit(from_.emission[1]), limit(from_.emission[2])};
-    if (!is_black(material_.emission)) {
-      material_.emission_sides = Sides::Both;
-      guess("Ke " + to_text(material_.emission) + " emits on both sides: OBJ does not say which is the front");
-    }
   }
 
   void note_unread() {

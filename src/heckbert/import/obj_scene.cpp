@@ -5,6 +5,7 @@
 #include <heckbert/import/framing.h>
 #include <heckbert/import/import.h>
 #include <heckbert/import/obj_file.h>
+#include <heckbert/import/obj_lamps.h>
 #include <heckbert/import/obj_materials.h>
 #include <heckbert/import/words.h>
 
@@ -79,6 +80,8 @@ Imported read_obj_scene(const std::filesystem::path& path) {
     scene.shapes.push_back({part.name, std::move(part.mesh), first});
   }
   account.understood.push_back(count(scene.shapes.size(), "shape") + ", " + count(triangles, "triangle"));
+
+  orient_lamps(scene, account);
 
   scene.name = path.stem().string();
   scene.title = path.filename().string();
