@@ -64,7 +64,7 @@ struct Malformed {
 };
 
 const std::vector<Malformed>& malformed() {
-  static const std::vector<Malformed> kMalformed = {
+  static const std::vector<Malformed> cases = {
       // No or strange text.
       {"", {{1, 1, 1, "empty expression", ""}}},
       {"  # only a comment", {{1, 1, 1, "empty expression", ""}}},
@@ -165,7 +165,7 @@ const std::vector<Malformed>& malformed() {
       {"LqE\n| @none\n| LD{2,1}E",
        {{1, 1, 2, "'Lq' is no letter", ""}, {2, 3, 5, "is called 'none'", ""}, {3, 5, 5, "least", ""}}},
   };
-  return kMalformed;
+  return cases;
 }
 
 TEST(ExpressionErrors, AreAllFoundWithPlaceAndSuggestion) {

@@ -19,7 +19,7 @@ using namespace literals;
 
 // Distinct languages of all small expressions, and some with subscripts, media and several ends.
 const std::vector<Language>& sample() {
-  static const std::vector<Language> kSample = [] {
+  static const std::vector<Language> samples = [] {
     std::vector<Language> list{Language::none(), Language::universe()};
     std::vector<std::string> texts{"LaDrEp",  "[LpLd].*El", "L.*StV?E", "L(Dr|Dt)*E",
                                    "L(..)*E", "!L.*S.*E",   "LeX{2,3}E"};
@@ -31,7 +31,7 @@ const std::vector<Language>& sample() {
     }
     return list;
   }();
-  return kSample;
+  return samples;
 }
 
 TEST(Language, SampleIsRich) {

@@ -86,21 +86,22 @@ Language determinize(std::size_t size, const std::array<Symbol, kSymbolCount>& t
   };
   start(subset);
   enter();
-  for (std::size_t i = 0; i < sets.size(); ++i) {
+  while (states.size() < sets.size()) {
+    const std::vector<StateId>& set = *sets[states.size()];
     State state;
-    for (const StateId q : *sets[i]) state.accepting = state.accepting || accepts(q);
+    for (const StateId q : set) state.accepting = state.accepting || accepts(q);
     for (const SymbolFacts& f : kSymbols) {
       if (const Symbol twin = twins[index(f.symbol)]; twin != f.symbol) {
         state.next[index(f.symbol)] = state.next[index(twin)];
         continue;
       }
       subset.clear();
-      for (const StateId q : *sets[i]) step(q, f.symbol, subset);
+      for (const StateId q : set) step(q, f.symbol, subset);
       state.next[index(f.symbol)] = enter();
     }
     states.push_back(state);
   }
-  return Language::from_automaton(std::move(states));
+  return Language::from_automaton(states);
 }
 
 }  // namespace heckbert::taxonomy

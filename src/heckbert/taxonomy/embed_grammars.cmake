@@ -17,9 +17,9 @@ file(WRITE "${OUTPUT}" "// Generated from grammar/ by embed_grammars.cmake.
 namespace heckbert::taxonomy {
 
 const GrammarLibrary& builtin_grammars() {
-  static const GrammarLibrary kLibrary = read_grammars(std::vector<GrammarText>{
+  static const GrammarLibrary library = read_grammars(std::vector<GrammarText>{
 ${entries}  });
-  return kLibrary;
+  return library;
 }
 
 }  // namespace heckbert::taxonomy

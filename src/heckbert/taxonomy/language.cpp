@@ -9,7 +9,7 @@ namespace heckbert::taxonomy {
 
 Language::Language() : states_(1) {}
 
-Language Language::from_automaton(std::vector<State> states) {
+Language Language::from_automaton(const std::vector<State>& states) {
   Language language;
   language.states_ = minimize(states);
   return language;
@@ -20,7 +20,7 @@ Language Language::epsilon() {
   states[0].accepting = true;
   states[0].next.fill(1);
   states[1].next.fill(1);
-  return from_automaton(std::move(states));
+  return from_automaton(states);
 }
 
 Language Language::of(Symbol symbol) {
@@ -33,7 +33,7 @@ Language Language::of(std::span<const Symbol> one_of) {
   for (State& s : states) s.next.fill(kDead);
   for (const Symbol s : one_of) states[0].next[index(s)] = kRead;
   states[kRead].accepting = true;
-  return from_automaton(std::move(states));
+  return from_automaton(states);
 }
 
 Language Language::of(const Word& word) {
@@ -50,13 +50,13 @@ Language Language::of(const Word& word) {
   for (const Symbol s : word.events) read(s);
   read(word.eye);
   states[at].accepting = true;
-  return from_automaton(std::move(states));
+  return from_automaton(states);
 }
 
 const Language& Language::universe() {
-  static const Language kUniverse =
+  static const Language universe =
       concat(concat(of(members(kLights)), repeat(of(members(kEvents)), 0, std::nullopt)), of(members(kEyes)));
-  return kUniverse;
+  return universe;
 }
 
 bool Language::contains(const Word& word) const {

@@ -37,7 +37,7 @@ class Language {
   Language();  ///< the empty set
 
   /// The language of any complete automaton whose start is state 0; minimised and renumbered. O(n log n).
-  static Language from_automaton(std::vector<State> states);
+  static Language from_automaton(const std::vector<State>& states);
   static Language none() { return Language(); }
   static Language epsilon();                           ///< only the empty string
   static Language of(Symbol symbol);                   ///< one string of one letter

@@ -32,9 +32,10 @@ std::vector<State> walk_pairs(const Language& a, const Language& b, Visit visit,
   };
   std::vector<State> states;
   enter(0, 0);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const State& in_a = a.states()[pairs[i].first];
-    const State& in_b = b.states()[pairs[i].second];
+  while (states.size() < pairs.size()) {
+    const auto [p, q] = pairs[states.size()];
+    const State& in_a = a.states()[p];
+    const State& in_b = b.states()[q];
     State state;
     state.accepting = visit(in_a.accepting, in_b.accepting);
     for (std::size_t s = 0; s < kSymbolCount; ++s) state.next[s] = enter(in_a.next[s], in_b.next[s]);
@@ -165,7 +166,7 @@ Language inverse_image(const Language& a, const std::array<Symbol, kSymbolCount>
   std::vector<State> states = a.states();
   for (StateId q = 0; q < states.size(); ++q)
     for (std::size_t s = 0; s < kSymbolCount; ++s) states[q].next[s] = a.states()[q].next[index(h[s])];
-  return Language::from_automaton(std::move(states));
+  return Language::from_automaton(states);
 }
 
 }  // namespace heckbert::taxonomy

@@ -113,9 +113,9 @@ Word Word::from_eye_path(Symbol eye, const std::vector<Symbol>& events_from_eye,
 }
 
 std::strong_ordering Word::operator<=>(const Word& other) const {
-  if (const auto by_length = events.size() <=> other.events.size(); by_length != 0) return by_length;
-  if (const auto by_light = light <=> other.light; by_light != 0) return by_light;
-  if (const auto by_events = events <=> other.events; by_events != 0) return by_events;
+  if (const auto by_length = events.size() <=> other.events.size(); std::is_neq(by_length)) return by_length;
+  if (const auto by_light = light <=> other.light; std::is_neq(by_light)) return by_light;
+  if (const auto by_events = events <=> other.events; std::is_neq(by_events)) return by_events;
   return eye <=> other.eye;
 }
 
