@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/expression.h>
 
 #include "oracle/automaton.h"
@@ -75,6 +76,51 @@ TEST(Exhaustive, AnExpressionFromTheEyeMatchesTheWordsTurnedRound) {
       ASSERT_EQ(language.contains(from_light), oracle::matches(*regex, words[i])) << text << " on E" << words[i] << "L";
     }
   }
+}
+
+bool is_path(std::string_view w) {
+  return w.size() >= 2 && w.front() == 'L' && w.back() == 'E' && w.find_first_not_of('D', 1) == w.size() - 1;
+}
+
+std::string turned(const std::string& word) {
+  return {word.rbegin(), word.rend()};
+}
+
+// Whether every word is a path, all of one direction within each operand of '|'.
+bool has_good_ends(const oracle::Regex& regex, const std::vector<std::string>& words) {
+  if (regex.kind == oracle::Regex::Kind::Either)
+    return has_good_ends(*regex.left, words) && has_good_ends(*regex.right, words);
+  bool forward = true, backward = true;
+  for (const std::string& word : words) {
+    if (!forward && !backward) return false;
+    if (!oracle::matches(regex, word)) continue;
+    forward = forward && is_path(word);
+    backward = backward && is_path(turned(word));
+  }
+  return forward || backward;
+}
+
+TEST(Exhaustive, ExactlyTheExpressionsOfWholePathsAreAccepted) {
+  // Letters and ends anywhere, to seven nodes (L D* E has six); words of six letters show every way to go wrong.
+  const auto words = oracle::all_words(6, "LDE");
+  std::size_t accepted = 0;
+  for (const auto& regex : all_up_to(7, "LDE")) {
+    const std::string text = oracle::print(*regex);
+    const bool expected = has_good_ends(*regex, words);
+    try {
+      const Language language = compile(text);
+      ASSERT_TRUE(expected) << text << " was accepted";
+      ++accepted;
+      for (const std::string& word : words)
+        if (is_path(word)) {
+          const bool matched = oracle::matches(*regex, word) || oracle::matches(*regex, turned(word));
+          ASSERT_EQ(language.contains(word_of(word.substr(1, word.size() - 2), 0)), matched) << text << " on " << word;
+        }
+    } catch (const InputError& e) {
+      ASSERT_FALSE(expected) << e.what();
+    }
+  }
+  EXPECT_GT(accepted, 50u);
 }
 
 // One bit per word.

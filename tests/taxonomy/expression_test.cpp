@@ -157,6 +157,8 @@ const std::vector<Malformed>& malformed() {
       {"L+DE", {{1, 1, 1, "'L' is an end in the middle", ""}}},
       {"(LDE)+", {{1, 2, 1, "'L' is an end in the middle", ""}, {1, 4, 1, "'E' is an end in the middle", ""}}},
       {"L?DE", {{1, 3, 1, "'D' can begin a path here; expected L", ""}}},
+      {"L(E|D+)", {{1, 5, 1, "'D' can end a path here; expected E", ""}}},
+      {"(L|D+)E", {{1, 4, 1, "'D' can begin a path here; expected L", ""}}},
       {"(L|S)DE", {{1, 4, 1, "'S' can begin a path here", ""}}},
       {"LD(E|S)", {{1, 6, 1, "'S' can end a path here; expected E", ""}}},
       {"L[DE]E", {{1, 2, 4, "'[DE]' is an end in the middle", ""}}},

@@ -43,6 +43,12 @@ TEST(GrammarFile, GoodOneIsRead) {
   EXPECT_EQ(g.language, compile("LS+E"));
 }
 
+TEST(GrammarFile, EachExpressionAnswersForItsOwnLights) {
+  const std::string text =
+      replaced(replaced(std::string(kGood), "class", "algorithm"), "L S+ E", "L S E | LpVE\nexpression-delta: L D E");
+  EXPECT_EQ(parse_grammar(text, "f.grammar", {}).language, compile("[LaLe]SE | [LpLd]DE"));
+}
+
 TEST(GrammarFile, ValuesGoOnInIndentedLinesAndCommentsAreSkipped) {
   const Grammar g = parse_grammar(
       "# what follows\r\nkind: algorithm\r\nname: a\r\ntitle: one\r\n  two\r\n\r\n  # between\r\n\tthree: "
