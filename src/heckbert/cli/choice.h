@@ -44,14 +44,21 @@ const auto& choose(std::string_view text, const Table& table) {
   return *row;
 }
 
-/// The same for the value of a flag. Errors: UsageError that names the flag.
-template <class Table>
-const auto& choose_flag(std::string_view flag, std::string_view text, const Table& table) {
+/// What `read` gives. A BadValue becomes a UsageError that names the flag.
+template <class Read>
+decltype(auto) value_of_flag(std::string_view flag, Read read) {
   try {
-    return choose(text, table);
+    return read();
   } catch (const BadValue& error) {
     throw UsageError(std::string(flag) + ": " + error.what());
   }
+}
+
+/// As choose, for the value of a flag. Errors: UsageError.
+template <class Table>
+const auto& choose_flag(std::string_view flag, std::string_view text, const Table& table) {
+  return value_of_flag(
+      flag, [&]() -> const auto& { return choose(text, table); });
 }
 
 /// "keep|diffuse|specular", for help texts.

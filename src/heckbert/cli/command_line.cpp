@@ -50,12 +50,19 @@ std::string unexpected(const std::string& word, const CLI::App& command) {
   return fmt::format("there is no command '{}'{}", word, did_you_mean(word, commands));
 }
 
+/// CLI11's own words, but for the commonest mistake: "--spp: 1 required N missing".
+std::string message_of(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const bool lacks_value = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && text.ends_with(" missing");
+  return lacks_value ? text.substr(0, text.find(':')) + " needs a value" : text;
+}
+
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
   const std::vector<std::string> leftover = app.remaining(true);
   // Of several words left over, flags are the culprits: what follows an unknown flag may have been its value.
   const auto flag = std::find_if(leftover.begin(), leftover.end(), [](const auto& w) { return w.starts_with('-'); });
-  std::string message = error.what();
+  std::string message = message_of(error);
   if (!leftover.empty())
     message = unexpected(flag != leftover.end() ? *flag : leftover.front(), command);
   else if (command.get_subcommands().empty() && command.get_require_subcommand_min() > 0)

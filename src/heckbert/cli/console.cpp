@@ -45,12 +45,12 @@ report::TextStyle Console::table_style() const {
   return style;
 }
 
-void Console::note(std::string_view line) const {
-  if (!quiet_) fmt::print(stderr, "{}\n", line);
+void Console::note(std::string_view text) const {
+  if (!quiet_ && !text.empty()) fmt::print(stderr, "{}{}", text, text.ends_with('\n') ? "" : "\n");
 }
 
-void Console::detail(std::string_view line) const {
-  if (verbose_) note(line);
+void Console::detail(std::string_view text) const {
+  if (verbose_) note(text);
 }
 
 }  // namespace heckbert::cli

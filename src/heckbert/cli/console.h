@@ -23,11 +23,10 @@ class Console {
   report::TextStyle table_style() const;
   ProgressStyle progress() const { return progress_; }
 
-  /// A line on standard error, unless --quiet.
-  void note(std::string_view line) const;
-  /// A line on standard error with --verbose.
-  void detail(std::string_view line) const;
-  bool verbose() const { return verbose_; }
+  /// Lines on standard error, unless --quiet. A missing newline is added; no text, no line.
+  void note(std::string_view text) const;
+  /// Lines on standard error with --verbose.
+  void detail(std::string_view text) const;
 
  private:
   bool quiet_ = false, verbose_ = false, colours_ = false;

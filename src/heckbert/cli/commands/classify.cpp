@@ -28,7 +28,7 @@ void declare(CLI::App& command, ClassifyFlags& options) {
   command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
   command.add_option("--by", options.by, "what to group by (default: word)")
       ->type_name(alternatives(report::kGroupings));
-  command.add_option("--top", options.top, "groups listed in the table; 0 for all (default: 20)")->type_name("N");
+  add_count(command, "--top", options.top, fmt::format("groups in the table; 0 for all (default: {})", options.top));
   command.add_flag("--json", options.json, "print all groups as JSON");
   add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
 }

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <heckbert/cli/choice.h>
 #include <heckbert/cli/exit_code.h>
 
 namespace heckbert::cli {
@@ -21,6 +22,15 @@ void add_command(CLI::App& parent, Run& chosen, const std::string& name, const s
   declare(*command, *options);
   command->group("Commands")->footer("Examples:\n" + examples);
   command->callback([&chosen, options, run] { chosen = [options, run] { return run(*options); }; });
+}
+
+/// Adds a flag that takes a whole number. Errors while parsing: UsageError.
+inline void add_count(CLI::App& command, const std::string& flag, std::size_t& count, const std::string& help) {
+  constexpr std::uint64_t kMost = 1'000'000'000;
+  const auto read = [flag, &count](const std::string& text) {
+    count = value_of_flag(flag, [&] { return whole_number(text, 0, kMost); });
+  };
+  command.add_option_function<std::string>(flag, read, help)->type_name("N");
 }
 
 }  // namespace heckbert::cli

@@ -35,8 +35,7 @@ void declare(CLI::App& command, CoverageFlags& options) {
                   "name, .grammar file or expression; may be repeated (default: all algorithms)")
       ->type_name("GRAMMAR")
       ->allow_extra_args(false);
-  command.add_option("--top", options.top, fmt::format("words listed per grammar (default: {})", options.top))
-      ->type_name("N");
+  add_count(command, "--top", options.top, fmt::format("words listed per grammar (default: {})", options.top));
   command.add_flag("--fine", options.fine, "words with subscripts, such as LaDrStEp");
   command.add_option("--sheet", options.sheet, "a contact sheet: what each grammar captures and misses")
       ->type_name("FILE.png");

@@ -102,10 +102,10 @@ void declare_compare(CLI::App& command, CompareOptions& options) {
   add_settings(command, options.flags, {Scope::Glossy});
 }
 
-/// A word that one language has and the other has not, or null.
-report::Json witness(const Language& with, const Language& without) {
+/// A shortest word that one language has and the other has not, or nothing.
+std::string witness(const Language& with, const Language& without) {
   const auto word = taxonomy::witness_outside(with, without);
-  return word ? report::Json(show(*word)) : report::Json();
+  return word ? show(*word) : "";
 }
 
 enum class Question : std::uint8_t { Equal, Subset };
@@ -117,25 +117,23 @@ ExitCode compare(const CompareOptions& options, Question question) {
   const Language a = taxonomy::apply(settings.glossy, grammars[0].language);
   const Language b = taxonomy::apply(settings.glossy, grammars[1].language);
 
-  report::Json json =
-      report::document_of(question == Question::Equal ? "heckbert.grammar_equal" : "heckbert.grammar_subset");
-  json["a"] = options.a;
-  json["b"] = options.b;
-  json["glossy_rule"] = report::name_of(settings.glossy);
-  json["only_in_a"] = witness(a, b);
-  json["only_in_b"] = witness(b, a);
-  const bool holds = json["only_in_a"].is_null() && (question == Question::Subset || json["only_in_b"].is_null());
-  json["answer"] = holds;
+  const std::string only_in_a = witness(a, b), only_in_b = witness(b, a);
+  const bool equal = question == Question::Equal;
+  const bool holds = only_in_a.empty() && (!equal || only_in_b.empty());
 
   if (options.json) {
+    report::Json json = report::document_of(equal ? "heckbert.grammar_equal" : "heckbert.grammar_subset");
+    json["a"] = options.a;
+    json["b"] = options.b;
+    json["glossy_rule"] = report::name_of(settings.glossy);
+    json["answer"] = holds;
+    json["only_in_a"] = only_in_a;
+    json["only_in_b"] = only_in_b;
     fmt::print("{}", report::dump(json));
   } else {
     fmt::print("{}\n", holds ? console.paint(Style::Good, "yes") : console.paint(Style::Bad, "no"));
-    const auto tell = [](const report::Json& word, const std::string& with, const std::string& without) {
-      if (!word.is_null()) fmt::print("{} is in {} but not in {}\n", word.get<std::string>(), with, without);
-    };
-    tell(json["only_in_a"], options.a, options.b);
-    if (question == Question::Equal) tell(json["only_in_b"], options.b, options.a);
+    if (!only_in_a.empty()) fmt::print("{} is in {} but not in {}\n", only_in_a, options.a, options.b);
+    if (equal && !only_in_b.empty()) fmt::print("{} is in {} but not in {}\n", only_in_b, options.b, options.a);
   }
   return holds ? ExitCode::Done : ExitCode::No;
 }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <heckbert/cli/account.h>
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
@@ -117,9 +118,9 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
 void tell_account(const Console& console, const std::string& name, const import::Account& account) {
   console.note(fmt::format("{}: {} understood, {} guessed, {} ignored", name, account.understood.size(),
                            account.guessed.size(), account.ignored.size()));
-  for (const std::string& line : account.understood) console.detail("  understood: " + line);
-  for (const std::string& line : account.guessed) console.note("  guessed: " + line);
-  for (const std::string& line : account.ignored) console.note("  ignored: " + line);
+  console.detail(account_lines(account.understood, "understood"));
+  console.note(account_lines(account.guessed, "guessed"));
+  console.note(account_lines(account.ignored, "ignored"));
 }
 
 /// What a render leaves besides the record.
@@ -176,7 +177,7 @@ report::Json to_json(const Outputs& outputs, const record::Record& record, const
   json["glossy_rule"] = report::name_of(settings.glossy);
   json["confidence"] = settings.confidence;
   json["classes"] = cli::to_json(classes);
-  json["account"] = {{"understood", account.understood}, {"guessed", account.guessed}, {"ignored", account.ignored}};
+  json["account"] = cli::to_json(account);
   json["files"] = {{"picture", outputs.picture}, {"record", outputs.record}, {"preview", outputs.preview}};
   return json;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/account.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
@@ -57,17 +58,6 @@ void declare_check(CLI::App& command, CheckOptions& options) {
   add_settings(command, options.flags, {});
 }
 
-std::string account_text(const std::string& name, const import::Account& account) {
-  std::string text = name + "\n";
-  const auto list = [&](std::string_view label, const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) text += fmt::format("  {:<12}{}\n", label, line);
-  };
-  list("understood", account.understood);
-  list("guessed", account.guessed);
-  list("ignored", account.ignored);
-  return text;
-}
-
 ExitCode run_check(const CheckOptions& options) {
   resolve(options.flags);
   report::Json json = report::document_of("heckbert.scene_check");
@@ -77,11 +67,11 @@ ExitCode run_check(const CheckOptions& options) {
   for (const std::string& name : options.scenes) {
     const ExitCode code = guarded([&] {
       const import::Account account = import::load_scene_or_builtin(name).account;
-      json["scenes"].push_back({{"scene", name},
-                                {"understood", account.understood},
-                                {"guessed", account.guessed},
-                                {"ignored", account.ignored}});
-      if (!options.json) fmt::print("{}", account_text(name, account));
+      json["scenes"].push_back({{"scene", name}, {"account", to_json(account)}});
+      if (!options.json) {
+        fmt::print("{}\n{}{}{}", name, account_lines(account.understood, "understood"),
+                   account_lines(account.guessed, "guessed"), account_lines(account.ignored, "ignored"));
+      }
       return ExitCode::Done;
     });
     worst = std::max(worst, code);

@@ -1,0 +1,19 @@
+#pragma once
+// What an importer made of a file, for people and for programs.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <heckbert/import/import.h>
+#include <heckbert/report/json_parts.h>
+
+namespace heckbert::cli {
+
+/// "  ignored     map_Kd wood.png: ...", one line for each, or nothing.
+std::string account_lines(const std::vector<std::string>& sentences, std::string_view label);
+
+/// Keys "understood", "guessed", "ignored".
+report::Json to_json(const import::Account& account);
+
+}  // namespace heckbert::cli

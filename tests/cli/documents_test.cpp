@@ -1,0 +1,144 @@
+// The documents against the program: docs/cli.md is what the help pages say, docs/json.md names every key that is
+// written and no other. HECKBERT_UPDATE_DOCS=1 in the environment of this test writes docs/cli.md anew.
+
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/run.h"
+
+namespace heckbert::cli::testing {
+namespace {
+
+const std::vector<std::vector<std::string>> kPages{{},
+                                                   {"render"},
+                                                   {"coverage"},
+                                                   {"query"},
+                                                   {"classify"},
+                                                   {"report"},
+                                                   {"match"},
+                                                   {"grammar", "list"},
+                                                   {"grammar", "show"},
+                                                   {"grammar", "equal"},
+                                                   {"grammar", "subset"},
+                                                   {"scene", "list"},
+                                                   {"scene", "check"}};
+
+std::string help_of(std::vector<std::string> command) {
+  command.emplace_back("--help");
+  return run(command).out;
+}
+
+std::string command_line_page() {
+  std::string page =
+      "# Command line\n\n"
+      "The help pages of the tool, word by word; a test compares. How settings are looked up: flag, then environment,\n"
+      "then `--config` file, then the scene file's `render` object, then the tool's default. Of `--spp` and `--time`, "
+      "and\n"
+      "of `--quiet` and `--verbose`, one given in a stronger layer hides the other in weaker ones.\n";
+  for (const auto& command : kPages)
+    page += fmt::format("\n## heckbert{}{}\n\n```text\n{}```\n", command.empty() ? "" : " ", fmt::join(command, " "),
+                        help_of(command));
+  return page;
+}
+
+TEST(CommandLinePage, IsWhatTheHelpPagesSay) {
+  const char* file = HECKBERT_SOURCE_DIR "/docs/cli.md";
+  if (std::getenv("HECKBERT_UPDATE_DOCS") != nullptr) std::ofstream(file) << command_line_page();
+  EXPECT_EQ(read_bytes(file), command_line_page()) << "write it anew: HECKBERT_UPDATE_DOCS=1 cli_test";
+}
+
+TEST(CommandLinePage, FitsATerminalOf120Columns) {
+  std::istringstream page(command_line_page());
+  for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 120u) << line;
+}
+
+// ---- docs/json.md -------------------------------------------------------------------------------------------------
+
+using Json = nlohmann::json;
+using Keys = std::map<std::string, std::string>;  ///< path -> type
+
+/// The tables of docs/json.md by heading.
+std::map<std::string, Keys> tables() {
+  static const std::regex heading(R"(^##+ (\S+)$)"), row(R"(^\| `([^`]+)` \| ([^|]+) \|.*$)");
+  std::ifstream file(HECKBERT_SOURCE_DIR "/docs/json.md");
+  std::map<std::string, Keys> sections;
+  std::string section;
+  for (std::string line; std::getline(file, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, heading)) section = match[1];
+    if (std::regex_match(line, match, row)) sections[section][match[1]] = match[2];
+  }
+  return sections;
+}
+
+/// A section's keys, links to other sections followed.
+Keys documented(const std::map<std::string, Keys>& sections, const std::string& name) {
+  static const std::regex link(R"(^\[\w+\]\(#(\w+)\)$)");
+  Keys keys;
+  for (const auto& [path, type] : sections.at(name)) {
+    std::smatch match;
+    if (!std::regex_match(type, match, link)) {
+      keys[path] = type;
+      continue;
+    }
+    for (const auto& [inner, inner_type] : documented(sections, match[1]))
+      keys[fmt::format("{}.{}", path, inner)] = inner_type;
+  }
+  return keys;
+}
+
+void collect(const Json& value, const std::string& path, Keys& keys) {
+  if (value.is_object()) {
+    for (const auto& [key, inner] : value.items())
+      collect(inner, path.empty() ? key : fmt::format("{}.{}", path, key), keys);
+  } else if (value.is_array()) {
+    for (const Json& inner : value) collect(inner, path + "[]", keys);
+  } else {
+    keys[path] = value.is_number_integer() ? "integer" : value.is_number() ? "number" : value.type_name();
+  }
+}
+
+TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
+  const TemporaryFolder folder;
+  const std::string record = (folder / "a.paths.exr").string();
+  // An OBJ without a camera and with a texture: its import guesses and ignores.
+  folder.write("room.mtl", "newmtl lamp\nKd .5 .5 .5\nKe 1 1 1\nmap_Kd wood.png\n");
+  const std::string room =
+      folder.write("room.obj", "mtllib room.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<std::vector<std::string>> commands{
+      {"render", room, "--record", record, "--size", "16x16", "--spp", "4", "--lpe", "LE", "--json"},
+      {"render", "lecture", "--record", record, "--size", "16x16", "--spp", "4", "--json"},
+      {"coverage", record, "--json"},
+      {"query", record, "LDE", "--json"},
+      {"classify", record, "--json"},
+      {"report", record, "-o", (folder / "a.html").string(), "--json"},
+      {"match", "LDE", "LSE", "--json"},
+      {"grammar", "list", "--json"},
+      {"grammar", "show", "whitted", "--json"},
+      {"grammar", "equal", "LDE", "LSE", "--json"},
+      {"grammar", "subset", "LDE", "LSE", "--json"},
+      {"scene", "list", "--json"},
+      {"scene", "check", room, "--json"}};
+  std::map<std::string, Keys> written;
+  for (const auto& command : commands) {
+    const Outcome outcome = run(command);
+    const Json document = Json::parse(outcome.out, nullptr, false);
+    ASSERT_TRUE(document.is_object()) << command[0] << outcome.err;
+    collect(document, "", written[document["schema"].get<std::string>()]);
+  }
+  ASSERT_EQ(written.size(), 11u);
+  const std::map<std::string, Keys> sections = tables();
+  for (const auto& [schema, keys] : written) {
+    ASSERT_TRUE(sections.contains(schema)) << schema << " has no section in docs/json.md";
+    EXPECT_EQ(keys, documented(sections, schema)) << schema;
+  }
+}
+
+}  // namespace
+}  // namespace heckbert::cli::testing

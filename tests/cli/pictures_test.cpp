@@ -1,0 +1,142 @@
+// What the pictures promise: asking afterwards is declaring before, any partition adds up, and the same seed gives the
+// same bytes. All on a small render of the lecture's scene, which has diffuse, mirror and glass words.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <heckbert/record/file.h>
+#include <heckbert/record/record.h>
+
+#include "cli/run.h"
+
+namespace heckbert::cli::testing {
+namespace {
+
+using record::Layer;
+
+class Pictures : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Renders the scene into name.exr and name.paths.exr.
+  void render(const std::string& name, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"render",   "lecture",
+                                       "--size",   "48x48",
+                                       "--spp",    "4",
+                                       "-o",       path(name + ".exr"),
+                                       "--record", path(name + ".paths.exr")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
+  std::vector<Layer> query(const std::string& record, std::vector<std::string> expressions) const {
+    expressions.insert(expressions.begin(), {"query", path(record + ".paths.exr"), "-o", path("query.exr")});
+    const Outcome outcome = run(expressions);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return record::read_layers(path("query.exr"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+double brightest(const record::Image& image) {
+  double most = 0;
+  for (const Rgb& pixel : image.pixels) most = std::max(most, static_cast<double>(max_channel(pixel)));
+  return most;
+}
+
+TEST_F(Pictures, AQueryGivesTheBitsThatDeclaringGave) {
+  render("a", {"--lpe", "LS+DE", "--lpe", "direct=LDE", "--lpe", "whitted=@whitted"});
+  const std::vector<Layer> declared = record::read_layers(path("a.exr"));
+  ASSERT_EQ(declared.size(), 4u);  // the picture and three classes
+  for (const auto& [layer, expression] :
+       std::map<std::string, std::string>{{"LS_DE", "LS+DE"}, {"direct", "LDE"}, {"whitted", "@whitted"}}) {
+    const std::vector<Layer> asked = query("a", {expression});
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(asked[0].name, "");
+    int compared = 0;
+    for (const Layer& candidate : declared) {
+      if (candidate.name != layer) continue;
+      EXPECT_EQ(candidate.image.window, asked[0].image.window);
+      EXPECT_EQ(candidate.image.pixels, asked[0].image.pixels) << expression;
+      EXPECT_GT(brightest(asked[0].image), 0) << expression;
+      ++compared;
+    }
+    EXPECT_EQ(compared, 1) << layer;
+  }
+}
+
+TEST_F(Pictures, ThePictureIsTheSumOfAllWords) {
+  render("a");
+  const std::vector<Layer> picture = record::read_layers(path("a.exr"));
+  ASSERT_EQ(picture.size(), 1u);
+  EXPECT_GT(brightest(picture[0].image), 0);
+  EXPECT_EQ(query("a", {"L.*E"})[0].image.pixels, picture[0].image.pixels);
+  const record::Record record = record::read_record(path("a.paths.exr"));
+  EXPECT_EQ(record::beauty(record).pixels, picture[0].image.pixels);
+}
+
+TEST_F(Pictures, AClassAndItsComplementAddUpToThePicture) {
+  render("a");
+  const std::vector<Rgb> picture = record::read_layers(path("a.exr"))[0].image.pixels;
+  for (const std::string expression : {"LS+DE", "L.*DE", "@whitted"}) {
+    const std::vector<Layer> parts = query("a", {"in=" + expression, "out=!(" + expression + ")"});
+    ASSERT_EQ(parts.size(), 2u);
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      const Rgb sum = parts[0].image.pixels[i] + parts[1].image.pixels[i];
+      // Each part is rounded once to float, and so is their sum.
+      const float rounding = 3 * 6e-8f * max_channel(picture[i]);
+      EXPECT_NEAR(sum.r, picture[i].r, rounding);
+      EXPECT_NEAR(sum.g, picture[i].g, rounding);
+      EXPECT_NEAR(sum.b, picture[i].b, rounding);
+    }
+  }
+}
+
+TEST_F(Pictures, AreTheSameBytesForAnyNumberOfThreadsAndOthersForAnotherSeed) {
+  const auto bytes = [&](const std::vector<std::string>& more) {
+    render("a", more);
+    return read_bytes(path("a.exr")) + read_bytes(path("a.paths.exr")) + read_bytes(path("a.png"));
+  };
+  const std::string one = bytes({"--threads", "1"});
+  EXPECT_GT(one.size(), 10'000u);
+  EXPECT_TRUE(one == bytes({"--threads", "2"}));
+  EXPECT_TRUE(one == bytes({"--threads", "3"}));
+  EXPECT_FALSE(one == bytes({"--threads", "1", "--seed", "2"}));
+}
+
+TEST_F(Pictures, ACropHasThePixelsOfTheWhole) {
+  render("whole");
+  render("crop", {"--crop", "8,16,40,32"});
+  const record::Image whole = record::read_layers(path("whole.exr"))[0].image;
+  const record::Image crop = record::read_layers(path("crop.exr"))[0].image;
+  EXPECT_EQ(crop.window, (record::Window{8, 16, 40, 32}));
+  for (int y = 16; y < 32; ++y)
+    for (int x = 8; x < 40; ++x) EXPECT_EQ(crop.at(x, y), whole.at(x, y));
+}
+
+TEST_F(Pictures, GoToStandardOutputAndComeFromStandardInput) {
+  render("a");
+  const std::string record = read_bytes(path("a.paths.exr"));
+  const Outcome piped = run({"query", "-", "LDE", "-o", "-"}, {.input = record});
+  ASSERT_EQ(piped.exit_code, 0) << piped.err;
+  query("a", {"LDE"});
+  EXPECT_TRUE(piped.out == read_bytes(path("query.exr")));
+  const Outcome rendered = run({"render", "lecture", "--size", "48x48", "--spp", "4", "--record", "-", "--quiet"});
+  EXPECT_EQ(rendered.err, "");
+  EXPECT_TRUE(rendered.out == record);
+}
+
+TEST_F(Pictures, LayersSayTheirExpressionAndTheRuleForGlossy) {
+  render("a", {"--lpe", "spec=LSE", "--glossy", "specular"});
+  const std::vector<Layer> layers = record::read_layers(path("a.exr"));
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[1].name, "spec");
+  EXPECT_EQ(layers[1].attributes.at("expression"), "LSE");
+  EXPECT_EQ(layers[1].attributes.at("glossy"), "specular");
+}
+
+}  // namespace
+}  // namespace heckbert::cli::testing

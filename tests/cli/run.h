@@ -1,0 +1,51 @@
+#pragma once
+// Runs the real program as a child process, the way a shell would.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace heckbert::cli::testing {
+
+struct Outcome {
+  int exit_code = -1;  ///< -1 when a signal ended it
+  int signal = 0;      ///< 0 when it exited by itself
+  std::string out, err;
+};
+
+struct RunOptions {
+  std::string input{};                               ///< what is typed into standard input
+  std::map<std::string, std::string> environment{};  ///< added to a clean one
+  std::filesystem::path folder{};                    ///< working directory; empty: ours
+  bool full_output = false;                          ///< standard output is a device that is always full
+};
+
+/// Waits for the end. No HECKBERT_ variable of the caller reaches the program.
+Outcome run(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+/// Starts the program with its output on a terminal of its own; gives back all that appeared there.
+std::string run_on_terminal(const std::vector<std::string>& arguments);
+
+/// Starts the program, sends `signal` as soon as `wait_for` has appeared on its standard error, and waits for the end.
+Outcome run_and_signal(const std::vector<std::string>& arguments, int signal, const std::string& wait_for);
+
+/// A folder that is there for one test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  std::string write(const std::string& name, const std::string& text) const;  ///< gives back the file's path
+  std::vector<std::string> listing() const;                                   ///< sorted names
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_bytes(const std::filesystem::path& path);
+
+}  // namespace heckbert::cli::testing
