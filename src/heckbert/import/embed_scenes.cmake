@@ -26,9 +26,9 @@ file(WRITE "${OUTPUT}" "// Written by embed_scenes.cmake; edit scenes/*.json ins
 namespace heckbert::import {
 
 const std::vector<BuiltinScene>& builtin_scenes() {
-  static const std::vector<BuiltinScene> kScenes{
+  static const std::vector<BuiltinScene> scenes{
 ${entries}  };
-  return kScenes;
+  return scenes;
 }
 
 }  // namespace heckbert::import

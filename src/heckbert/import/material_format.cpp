@@ -41,7 +41,7 @@ Lobe build_ggx(Reader& in, const JsonNode& node, const LobeDraft& d) {
 
 const std::vector<LobeKind>& lobe_kinds() {
   using D = LobeDraft;
-  static const std::vector<LobeKind> kKinds{
+  static const std::vector<LobeKind> kinds{
       {"lambert",
        "Diffuse reflection. Letter D.",
        {key("albedo", Colour{kUnit}, &D::albedo, kRequired, "share of the light that is reflected")},
@@ -72,23 +72,23 @@ const std::vector<LobeKind>& lobe_kinds() {
        [](Reader&, const JsonNode&, const D& d) -> Lobe {
          return Phong{d.reflectance, d.exponent};
        }}};
-  return kKinds;
+  return kinds;
 }
 
 const Choice& lobe_types() {
-  static const Choice kTypes = [] {
+  static const Choice types = [] {
     Choice choice;
     for (const LobeKind& kind : lobe_kinds()) {
       choice.words.push_back(kind.name);
     }
     return choice;
   }();
-  return kTypes;
+  return types;
 }
 
 const std::vector<Key<LobeDraft>>& lobe_type_key() {
-  static const std::vector<Key<LobeDraft>> kKeys{type_key<LobeDraft>(lobe_types(), "the kind of lobe")};
-  return kKeys;
+  static const std::vector<Key<LobeDraft>> keys{type_key<LobeDraft>(lobe_types(), "the kind of lobe")};
+  return keys;
 }
 
 struct Emission {
@@ -97,10 +97,10 @@ struct Emission {
 };
 
 const std::vector<Key<Emission>>& emission_keys() {
-  static const std::vector<Key<Emission>> kKeys{
+  static const std::vector<Key<Emission>> keys{
       key("radiance", Colour{kNotNegative}, &Emission::radiance, kRequired, "emitted in every direction"),
       key("sides", Choice{{"front", "both"}}, &Emission::sides, "front", "which sides of the surface emit")};
-  return kKeys;
+  return keys;
 }
 
 void read_emission(Reader& in, const JsonNode& node, Emission& out) {
@@ -122,7 +122,7 @@ struct MaterialDraft {
 
 const std::vector<Key<MaterialDraft>>& material_keys() {
   using D = MaterialDraft;
-  static const std::vector<Key<D>> kKeys{
+  static const std::vector<Key<D>> keys{
       key("name", Text{}, &D::name, kRequired, "what shapes call it"),
       key("type", Later{lobe_types().describe()}, &D::type, "from `lobes`",
           "one lobe, whose keys stand beside this one"),
@@ -135,7 +135,7 @@ const std::vector<Key<MaterialDraft>>& material_keys() {
           "weight of the mirror ray that the lecture's tracer follows at diffuse surfaces; no light path"),
       key("ambient_reflectance", Colour{kUnit}, &D::ambient_reflectance, "sum of the Lambert albedos",
           "factor of the ambient term of the recursive tracers; no light path")};
-  return kKeys;
+  return keys;
 }
 
 /// The lobe that `node` describes; `beside` are keys that may stand in the same object.

@@ -159,7 +159,7 @@ class Mapper {
       ignore("Pr, Pm, Ps and Pc: the PBR extension is not read");
     }
     for (const auto& [key, value] : from_.unknown_parameter) {
-      ignore(key + " " + value + ": unknown key");
+      ignore(join({key, value}, " ") + ": unknown key");
     }
   }
 

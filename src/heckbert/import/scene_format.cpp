@@ -12,7 +12,7 @@ namespace {
 using namespace transport;
 
 const std::vector<Key<Camera>>& camera_keys() {
-  static const std::vector<Key<Camera>> kKeys{
+  static const std::vector<Key<Camera>> keys{
       key("position", Vector{}, &Camera::position, kRequired, "where the eye is"),
       key("look_at", Vector{}, &Camera::look_at, kRequired, "what stands in the middle of the picture"),
       key("up", Vector{}, &Camera::up, "[0, 1, 0]", "what points upwards in the picture"),
@@ -20,7 +20,7 @@ const std::vector<Key<Camera>>& camera_keys() {
       key("lens_radius", Number{kNotNegative}, &Camera::lens_radius, "0", "0 is a pinhole, more a thin lens"),
       key("focus_distance", Number{kPositive}, &Camera::focus_distance, "1",
           "what is in focus, along the viewing axis; for a lens")};
-  return kKeys;
+  return keys;
 }
 
 void read_camera(Reader& in, const JsonNode& node, Camera& out) {
@@ -40,13 +40,13 @@ void read_camera(Reader& in, const JsonNode& node, Camera& out) {
 
 const std::vector<Key<RenderDefaults>>& render_keys() {
   using D = RenderDefaults;
-  static const std::vector<Key<D>> kKeys{
+  static const std::vector<Key<D>> keys{
       key("width", Integer{1, 16384}, &D::width, "program", "pixels"),
       key("height", Integer{1, 16384}, &D::height, "program", "pixels"),
       key("spp", Integer{1, 1000000}, &D::samples_per_pixel, "program", "samples per pixel"),
       key("max_depth", Integer{0, 1000}, &D::max_depth, "program", "most scatterings per path"),
       key("seed", Integer{0, 0xFFFFFFFFFFFFFFFF}, &D::seed, "program", "of the random numbers")};
-  return kKeys;
+  return keys;
 }
 
 void read_render(Reader& in, const JsonNode& node, RenderDefaults& out) {
@@ -54,17 +54,17 @@ void read_render(Reader& in, const JsonNode& node, RenderDefaults& out) {
 }
 
 const Choice& light_types() {
-  static const Choice kTypes{{"point"}};
-  return kTypes;
+  static const Choice types{{"point"}};
+  return types;
 }
 
 const std::vector<Key<PointLight>>& point_light_keys() {
-  static const std::vector<Key<PointLight>> kKeys{
+  static const std::vector<Key<PointLight>> keys{
       type_key<PointLight>(light_types(), "the kind of light"),
       key("position", Vector{}, &PointLight::position, kRequired, "where it is"),
       key("intensity", Colour{kNotNegative}, &PointLight::intensity, kRequired,
           "per steradian, the same in every direction")};
-  return kKeys;
+  return keys;
 }
 
 void read_lights(Reader& in, const JsonNode& node, std::vector<PointLight>& out) {
@@ -81,10 +81,10 @@ struct GroupDraft {
 };
 
 const std::vector<Key<GroupDraft>>& group_keys() {
-  static const std::vector<Key<GroupDraft>> kKeys{
+  static const std::vector<Key<GroupDraft>> keys{
       key("name", Text{}, &GroupDraft::name, kRequired, "what instances call it"),
       key("shapes", Later{"list of shapes"}, &GroupDraft::shapes, kRequired, "in the group's own space")};
-  return kKeys;
+  return keys;
 }
 
 struct InstanceDraft {
@@ -94,10 +94,10 @@ struct InstanceDraft {
 
 const std::vector<Key<InstanceDraft>>& instance_keys() {
   using D = InstanceDraft;
-  static const std::vector<Key<D>> kKeys{
+  static const std::vector<Key<D>> keys{
       key("group", Later{"name of a group"}, &D::group, kRequired, "what to place"),
       key("transform", Later{"list of transform steps"}, &D::transform, "`[]`", "from the group's space to the world")};
-  return kKeys;
+  return keys;
 }
 
 struct SceneDraft {
@@ -120,7 +120,7 @@ Key<SceneDraft> scene_key(std::string_view name, Rule rule, Member Scene::*membe
 
 const std::vector<Key<SceneDraft>>& scene_keys() {
   using D = SceneDraft;
-  static const std::vector<Key<D>> kKeys{
+  static const std::vector<Key<D>> keys{
       scene_key("name", Text{}, &Scene::name, "name of the file", "a word for lists and file names"),
       scene_key("title", Text{}, &Scene::title, "", "one line for people"),
       scene_key("camera", Custom<Camera>{"a camera", read_camera}, &Scene::camera, kRequired, "the eye"),
@@ -135,7 +135,7 @@ const std::vector<Key<SceneDraft>>& scene_keys() {
       scene_key("environment", Colour{kNotNegative}, &Scene::environment, "0", "radiance from every direction"),
       scene_key("ambient", Colour{kNotNegative}, &Scene::ambient, "0",
                 "ambient light of the recursive tracers; no light path")};
-  return kKeys;
+  return keys;
 }
 
 class SceneBuilder {

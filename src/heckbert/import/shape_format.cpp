@@ -136,7 +136,7 @@ const std::vector<ShapeKind>& shape_kinds() {
   };
   using Points = Custom<std::vector<glm::vec3>>;
   using Triangles = Custom<std::vector<glm::uvec3>>;
-  static const std::vector<ShapeKind> kKinds{
+  static const std::vector<ShapeKind> kinds{
       {"quad",
        "A parallelogram. Its front is the side that cross(edge_u, edge_v) points to.",
        {key("corner", Vector{}, &D::corner, kRequired, "one corner"),
@@ -169,27 +169,27 @@ const std::vector<ShapeKind>& shape_kinds() {
        "program itself).",
        {key("file", Text{}, &D::file, kRequired, "path, from the folder of the scene file")},
        build_obj}};
-  return kKinds;
+  return kinds;
 }
 
 const Choice& shape_types() {
-  static const Choice kTypes = [] {
+  static const Choice types = [] {
     Choice choice;
     for (const ShapeKind& kind : shape_kinds()) {
       choice.words.push_back(kind.name);
     }
     return choice;
   }();
-  return kTypes;
+  return types;
 }
 
 const std::vector<Key<ShapeDraft>>& common_keys() {
   using D = ShapeDraft;
-  static const std::vector<Key<D>> kKeys{
+  static const std::vector<Key<D>> keys{
       type_key<D>(shape_types(), "the kind of shape"), key("name", Text{}, &D::name, "", "what messages call it"),
       key("material", Later{"name of a material"}, &D::material, kRequired, "what it is made of"),
       key("transform", Later{"list of transform steps"}, &D::transform, "`[]`", "applied to the shape")};
-  return kKeys;
+  return keys;
 }
 
 bool is_in_range(glm::vec3 p) {

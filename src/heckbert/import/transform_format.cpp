@@ -15,11 +15,11 @@ struct Rotation {
 };
 
 const std::vector<Key<Rotation>>& rotation_keys() {
-  static const std::vector<Key<Rotation>> kKeys{
+  static const std::vector<Key<Rotation>> keys{
       key("axis", Vector{}, &Rotation::axis, kRequired, "not zero; need not have length 1"),
       key("degrees", Number{{-36000, 36000}}, &Rotation::degrees, kRequired,
           "counter-clockwise when the axis points at you")};
-  return kKeys;
+  return keys;
 }
 
 struct Step {
@@ -85,13 +85,13 @@ void read_matrix(Reader& in, const JsonNode& node, glm::mat4& out) {
 
 const std::vector<Key<Step>>& step_keys() {
   using Rule = Custom<glm::mat4>;
-  static const std::vector<Key<Step>> kKeys{
+  static const std::vector<Key<Step>> keys{
       key("translate", Rule{Vector::describe(), read_translate}, &Step::matrix, "", "moves by a vector"),
       key("scale", Rule{"number other than 0, or [x, y, z]", read_scale}, &Step::matrix, "", "scales about the origin"),
       key("rotate", Rule{"a rotation", read_rotate}, &Step::matrix, "", "turns about an axis through the origin"),
       key("matrix", Rule{"four rows of four numbers", read_matrix}, &Step::matrix, "",
           "any affine matrix, acting on columns; the last row is 0 0 0 1")};
-  return kKeys;
+  return keys;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ std::string to_text(double number) {
 }
 
 std::string to_text(Rgb colour) {
-  const std::string r = to_text(static_cast<double>(colour.r));
+  std::string r = to_text(static_cast<double>(colour.r));
   if (colour.r == colour.g && colour.g == colour.b) {
     return r;
   }
