@@ -2,7 +2,7 @@
 
 #include <fstream>
 #include <map>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -21,31 +21,37 @@ namespace {
 using Json = nlohmann::json;
 using Keys = std::map<std::string, std::string>;  ///< path -> type, as in the document
 
+/// "| `key` | type | meaning |" -> {"key", "type"}; nothing for other lines.
+std::optional<std::pair<std::string, std::string>> table_row(const std::string& line) {
+  const std::string start = "| `", middle = "` | ", end = " | ";
+  const std::size_t type = line.find(middle);
+  if (!line.starts_with(start) || type == std::string::npos) return std::nullopt;
+  const std::size_t type_begin = type + middle.size();
+  return std::pair{line.substr(start.size(), type - start.size()),
+                   line.substr(type_begin, line.find(end, type_begin) - type_begin)};
+}
+
 /// The tables of docs/json.md by heading.
 std::map<std::string, Keys> documented() {
   std::ifstream file(HECKBERT_SOURCE_DIR "/docs/json.md");
-  static const std::regex heading(R"(^##+ (\S+)$)"), row(R"(^\| `([^`]+)` \| ([^|]+) \|.*$)");
   std::map<std::string, Keys> sections;
   std::string section;
   for (std::string line; std::getline(file, line);) {
-    std::smatch match;
-    if (std::regex_match(line, match, heading)) section = match[1];
-    if (std::regex_match(line, match, row)) sections[section][match[1]] = match[2];
+    if (line.starts_with("##")) section = line.substr(line.rfind(' ') + 1);
+    if (const auto row = table_row(line)) sections[section].insert(*row);
   }
   return sections;
 }
 
-/// The keys of a section with those of the sections that its types link to.
+/// The keys of a section with those of the sections that its types link to, as in "[estimate](#estimate)".
 Keys expanded(const std::map<std::string, Keys>& sections, const std::string& name) {
-  static const std::regex link(R"(^\[([a-z]+)\]\(#([a-z]+)\)$)");
   Keys keys;
   for (const auto& [path, type] : sections.at(name)) {
-    std::smatch match;
-    if (!std::regex_match(type, match, link)) {
+    if (!type.starts_with('[')) {
       keys[path] = type;
       continue;
     }
-    for (const auto& [inner, inner_type] : expanded(sections, match[2])) {
+    for (const auto& [inner, inner_type] : expanded(sections, type.substr(1, type.find(']') - 1))) {
       std::string whole = path;
       whole += '.';
       whole += inner;

@@ -27,6 +27,11 @@ std::string picture_element(const record::Image& image, float exposure, int widt
                      base64(encode_png(picture)), picture.width, picture.height, escaped(alternative));
 }
 
+/// Small shares print with a "<".
+std::string escaped_percent(double share) {
+  return escaped(percent(share));
+}
+
 /// A bar as long as the share, with a mark over its interval. Ornament: the numbers stand beside it.
 std::string bar(const record::Estimate& share) {
   const auto part = [](double x) { return 100 * std::clamp(x, 0.0, 1.0); };
@@ -133,7 +138,7 @@ std::string shares_section(const Coverage& coverage) {
 <td class="number">{share}</td><td class="number">{interval}</td><td class="wide">{bar}</td></tr>
 )",
         arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)),
-        arg("expression", escaped(grammar.expression)), arg("share", percent(grammar.share.mean)),
+        arg("expression", escaped(grammar.expression)), arg("share", escaped_percent(grammar.share.mean)),
         arg("interval", percent_interval(grammar.share)), arg("bar", bar(grammar.share)));
   return fmt::format(R"(<section id="shares">
 <h2>Shares of the light</h2>
@@ -157,7 +162,7 @@ std::string word_rows(const std::vector<WordEnergy>& words, std::size_t most) {
     rows += fmt::format(R"(<tr><th scope="row"><code>{word}</code></th><td class="number">{share}</td>
 <td class="number">{interval}</td><td class="wide">{bar}</td></tr>
 )",
-                        arg("word", escaped(words[i].word)), arg("share", percent(words[i].share.mean)),
+                        arg("word", escaped(words[i].word)), arg("share", escaped_percent(words[i].share.mean)),
                         arg("interval", percent_interval(words[i].share)), arg("bar", bar(words[i].share)));
   return rows;
 }
@@ -217,7 +222,7 @@ std::string algorithm_article(const record::Record& record, const Coverage& cove
 {biases}{source}</article>
 )",
       arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)), arg("expressions", expressions(grammar)),
-      arg("share", percent(grammar.share.mean)), arg("level", level(coverage.confidence)),
+      arg("share", escaped_percent(grammar.share.mean)), arg("level", level(coverage.confidence)),
       arg("interval", percent_interval(grammar.share)),
       arg("captured_figure",
           part_figure(record, grammar.captured, exposure, width, "Captured: " + percent(grammar.share.mean),
@@ -242,10 +247,11 @@ std::string words_section(const Coverage& coverage, std::size_t most) {
   const std::size_t shown = std::min(most, coverage.words.size());
   double rest = 0;
   for (std::size_t i = shown; i < coverage.words.size(); ++i) rest += coverage.words[i].share.mean;
-  const std::string rest_line = shown == coverage.words.size()
-                                    ? ""
-                                    : fmt::format("<p>And {} with {} of the light together.</p>\n",
-                                                  counted(coverage.words.size() - shown, "more word"), percent(rest));
+  const std::string rest_line =
+      shown == coverage.words.size()
+          ? ""
+          : fmt::format("<p>And {} with {} of the light together.</p>\n",
+                        counted(coverage.words.size() - shown, "more word"), escaped_percent(rest));
   const std::vector<WordEnergy> first(coverage.words.begin(),
                                       coverage.words.begin() + static_cast<std::ptrdiff_t>(shown));
   return fmt::format("<section id=\"words\">\n<h2>The words of this scene</h2>\n{}{}</section>\n",
