@@ -67,7 +67,7 @@ std::vector<std::uint8_t> pixels_at(const Picture& sheet, int x, int y, int widt
   std::vector<std::uint8_t> pixels;
   for (int row = y; row < y + height; ++row) {
     const auto from = sheet.rgb.begin() + 3 * (std::ptrdiff_t{row} * sheet.width + x);
-    pixels.insert(pixels.end(), from, from + 3 * width);
+    pixels.insert(pixels.end(), from, from + std::ptrdiff_t{3} * width);
   }
   return pixels;
 }
@@ -78,7 +78,7 @@ std::vector<std::pair<int, int>> places_of(const Picture& sheet, const Picture& 
   for (int y = 0; y + picture.height <= sheet.height; ++y)
     for (int x = 0; x + picture.width <= sheet.width; ++x)
       if (pixels_at(sheet, x, y, picture.width, 1) ==
-              std::vector(picture.rgb.begin(), picture.rgb.begin() + 3 * picture.width) &&
+              std::vector(picture.rgb.begin(), picture.rgb.begin() + std::ptrdiff_t{3} * picture.width) &&
           pixels_at(sheet, x, y, picture.width, picture.height) == picture.rgb)
         places.emplace_back(x, y);
   return places;

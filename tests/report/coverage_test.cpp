@@ -18,6 +18,7 @@ using ::testing::IsEmpty;
 
 std::vector<std::string> names(const std::vector<WordEnergy>& words) {
   std::vector<std::string> result;
+  result.reserve(words.size());
   for (const WordEnergy& word : words) result.push_back(word.word);
   return result;
 }

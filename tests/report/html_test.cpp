@@ -40,17 +40,17 @@ std::vector<std::string> between(const std::string& text, const std::string& bef
   return pieces;
 }
 
-const std::string kPngData = "data:image/png;base64,";
+const std::string png_data = "data:image/png;base64,";
 
 std::vector<std::string> pictures_of(const std::string& page) {
-  return between(page, kPngData, "\"");
+  return between(page, png_data, "\"");
 }
 
 /// The page without its style sheet and without the data of its pictures.
 std::string skeleton(const std::string& page) {
   std::string rest = page.substr(0, page.find("<style>") + 7) + page.substr(page.find("</style>"));
-  for (std::size_t at = rest.find(kPngData); at != std::string::npos; at = rest.find(kPngData, at)) {
-    at += kPngData.size();
+  for (std::size_t at = rest.find(png_data); at != std::string::npos; at = rest.find(png_data, at)) {
+    at += png_data.size();
     rest.erase(at, rest.find('"', at) - at);
   }
   return rest;
@@ -98,7 +98,7 @@ TEST(Html, FetchesNothingAndRunsNothing) {
   EXPECT_EQ(links.size(), 6u + 4u) << "sections and algorithms";
   EXPECT_EQ(sources.size(), 1u + 2u * 4u) << "the picture and two parts of it per algorithm";
   for (const std::string& link : links) EXPECT_TRUE(link.starts_with("#")) << link;
-  for (const std::string& source : sources) EXPECT_EQ(source, kPngData);
+  for (const std::string& source : sources) EXPECT_EQ(source, png_data);
   EXPECT_THAT(page, Not(HasSubstr("url(")));
   EXPECT_THAT(page, Not(HasSubstr("@import")));
   EXPECT_THAT(page, Not(HasSubstr("<script")));

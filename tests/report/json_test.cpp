@@ -71,7 +71,12 @@ std::string type_of(const Json& value) {
 
 void collect(const Json& value, const std::string& path, Keys& keys) {
   if (value.is_object()) {
-    for (const auto& [key, inner] : value.items()) collect(inner, path.empty() ? key : path + '.' + key, keys);
+    for (const auto& [key, inner] : value.items()) {
+      std::string whole = path;
+      if (!path.empty()) whole += '.';
+      whole += key;
+      collect(inner, whole, keys);
+    }
   } else if (value.is_array()) {
     for (const Json& inner : value) collect(inner, path + "[]", keys);
   } else {

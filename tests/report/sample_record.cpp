@@ -29,6 +29,7 @@ std::vector<float> wobbling_batches(float mean, std::size_t word) {
 
 record::Record sample_record(int width, int height, const std::vector<SampleWord>& words) {
   std::vector<std::pair<taxonomy::Word, const SampleWord*>> sorted;
+  sorted.reserve(words.size());
   for (const SampleWord& word : words) sorted.emplace_back(taxonomy::parse_word(word.word), &word);
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 

@@ -12,7 +12,7 @@
 
 namespace heckbert::report {
 
-extern const unsigned char kCaptionFont[];  // a font file, compiled in
+extern const unsigned char caption_font[];  // a font file, compiled in
 
 namespace {
 
@@ -23,7 +23,7 @@ struct Font {
   int baseline = 0;   ///< below the upper edge, pixels
 
   Font() {
-    stbtt_InitFont(&info, kCaptionFont, 0);
+    stbtt_InitFont(&info, caption_font, 0);
     scale = stbtt_ScaleForPixelHeight(&info, kCaptionSize);
     int ascent = 0, descent = 0, gap = 0, width = 0, bearing = 0;
     stbtt_GetFontVMetrics(&info, &ascent, &descent, &gap);
@@ -34,8 +34,8 @@ struct Font {
 };
 
 const Font& font() {
-  static const Font kFont;
-  return kFont;
+  static const Font loaded;
+  return loaded;
 }
 
 /// Mixes the colour into one pixel, if it is one of the picture's.
@@ -61,13 +61,14 @@ void draw_caption(Picture& picture, int x, int y, std::string_view text, Colour 
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     stbtt_GetGlyphBitmapBoxSubpixel(&font().info, glyph, font().scale, font().scale, shift, 0, &x0, &y0, &x1, &y1);
     const int width = x1 - x0, height = y1 - y0;
-    letter.assign(static_cast<std::size_t>(width * height), 0);
+    letter.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
     stbtt_MakeGlyphBitmapSubpixel(&font().info, letter.data(), width, height, width, font().scale, font().scale, shift,
                                   0, glyph);
     for (int row = 0; row < height; ++row)
       for (int column = 0; column < width; ++column)
-        blend(picture, static_cast<int>(left) + x0 + column, y + font().baseline + y0 + row, colour,
-              letter[static_cast<std::size_t>(row * width + column)]);
+        blend(
+            picture, static_cast<int>(left) + x0 + column, y + font().baseline + y0 + row, colour,
+            letter[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)]);
   }
 }
 

@@ -27,6 +27,7 @@ std::vector<WordGroup> by_key(const record::Record& record, const Energies& ener
   }
   const std::vector<GroupEnergy> sums = energies.of_groups(group, words_of.size());
   std::vector<WordGroup> groups;
+  groups.reserve(words_of.size());
   for (const auto& [name, words] : words_of) groups.push_back(group_of(spell(name), sums[groups.size()], words.size()));
   return groups;
 }

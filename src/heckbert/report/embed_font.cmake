@@ -7,8 +7,8 @@ string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
 file(WRITE "${OUTPUT}" "// Generated from ${FONT} by embed_font.cmake.
 namespace heckbert::report {
 
-extern const unsigned char kCaptionFont[];
-const unsigned char kCaptionFont[] = {
+extern const unsigned char caption_font[];
+const unsigned char caption_font[] = {
 ${bytes}};
 
 }  // namespace heckbert::report

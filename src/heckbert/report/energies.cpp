@@ -37,7 +37,7 @@ GroupEnergy Energies::estimate(const Sums& sums) const {
   record::Record two;
   two.info = record_.info;
   two.words = {taxonomy::Word{}, taxonomy::Word{.events = {taxonomy::Symbol::Dr}}};
-  two.batch_means.reserve(2 * record::kBatches);
+  two.batch_means.reserve(sums.batches.size() * 2);
   for (const auto& batch : sums.batches) two.batch_means.push_back(to_rgb(batch));
   for (std::size_t i = 0; i < record::kBatches; ++i)
     two.batch_means.push_back(to_rgb(difference(total_.batches[i], sums.batches[i])));

@@ -14,7 +14,7 @@
 
 namespace heckbert::report {
 
-extern const char* const kPageCss;  // page.css, compiled in
+extern const char* const page_css;  // page.css, compiled in
 
 namespace {
 
@@ -322,7 +322,7 @@ std::string html(const record::Record& record, const Coverage& coverage, const H
 <body>
 )",
                                  arg("version", escaped(coverage.info.version)),
-                                 arg("scene", escaped(coverage.info.scene)), arg("css", kPageCss));
+                                 arg("scene", escaped(coverage.info.scene)), arg("css", page_css));
   page += introduction(coverage);
   page += "<main>\n";
   page += picture_section(beauty, coverage, exposure, options.picture_width);
