@@ -41,3 +41,11 @@ function(heckbert_test name)
     HECKBERT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" HECKBERT_GRAMMAR_DIR="${PROJECT_SOURCE_DIR}/grammar")
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
+
+# heckbert_output_test(<name> <file of expected output> <command> ...): runs a command and matches what it prints.
+function(heckbert_output_test name expected)
+  add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} "-DCOMMAND=${ARGN}" "-DEXPECTED=${expected}"
+    "-DACTUAL=${CMAKE_CURRENT_BINARY_DIR}/${name}.actual" -DCOMPARE=$<TARGET_FILE:compare_output>
+    -P ${PROJECT_SOURCE_DIR}/tests/support/run_and_compare.cmake)
+  set_tests_properties(${name} PROPERTIES LABELS golden TIMEOUT 300)
+endfunction()

@@ -1,0 +1,10 @@
+# Runs COMMAND (a list) and compares what it prints with EXPECTED by COMPARE; leaves the output beside in ACTUAL.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND ${COMMAND} OUTPUT_FILE "${ACTUAL}" ERROR_VARIABLE errors RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "exit ${result}: ${errors}")
+endif()
+execute_process(COMMAND "${COMPARE}" "${EXPECTED}" "${ACTUAL}" ERROR_VARIABLE errors RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${errors}\nthe whole output is in ${ACTUAL}")
+endif()
