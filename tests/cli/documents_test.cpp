@@ -53,9 +53,9 @@ TEST(CommandLinePage, IsWhatTheHelpPagesSay) {
   EXPECT_EQ(read_bytes(file), command_line_page()) << "write it anew: HECKBERT_UPDATE_DOCS=1 cli_test";
 }
 
-TEST(CommandLinePage, FitsATerminalOf120Columns) {
+TEST(CommandLinePage, FitsATerminalOf100Columns) {
   std::istringstream page(command_line_page());
-  for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 120u) << line;
+  for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
 // ---- docs/json.md -------------------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ std::vector<Malformed> usage() {
       {"rival variables",
        {"grammar", "list"},
        2,
-       {"HECKBERT_VERBOSE: cannot be given together with HECKBERT_QUIET"},
+       {"HECKBERT_VERBOSE: cannot be given together with environment variable HECKBERT_QUIET"},
        {},
        {{"HECKBERT_QUIET", "1"}, {"HECKBERT_VERBOSE", "1"}}},
   };

@@ -129,6 +129,23 @@ TEST_F(Pictures, GoToStandardOutputAndComeFromStandardInput) {
   EXPECT_TRUE(rendered.out == record);
 }
 
+TEST_F(Pictures, LightThatNoPathCarriesHasLayersOfItsOwn) {
+  render("a", {"--algorithm", "lecture", "--lpe", "ambient=LDE"});
+  const std::vector<Layer> layers = record::read_layers(path("a.exr"));
+  std::vector<std::string> names;
+  for (const Layer& layer : layers) {
+    names.push_back(layer.name);
+    EXPECT_GT(brightest(layer.image), 0) << layer.name;
+  }
+  ASSERT_EQ(names.size(), 4u);
+  EXPECT_EQ(names[0], "");
+  EXPECT_EQ(names[1], "ambient");  // the class that was asked for keeps its name
+  EXPECT_EQ(layers[1].attributes.count("note"), 0u);
+  EXPECT_EQ(layers[2].attributes.count("note"), 1u);
+  EXPECT_EQ(names[3], "phantom");
+  EXPECT_EQ(query("a", {"L.*E"})[0].image.pixels, layers[0].image.pixels);
+}
+
 TEST_F(Pictures, LayersSayTheirExpressionAndTheRuleForGlossy) {
   render("a", {"--lpe", "spec=LSE", "--glossy", "specular"});
   const std::vector<Layer> layers = record::read_layers(path("a.exr"));

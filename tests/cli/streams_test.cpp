@@ -76,6 +76,16 @@ TEST_F(Streams, JsonIsAllThatGoesToStandardOutput) {
   }
 }
 
+TEST_F(Streams, ASceneComesFromStandardInput) {
+  const std::string scene = read_bytes(HECKBERT_SOURCE_DIR "/scenes/lecture.json");
+  const Outcome piped = run({"scene", "check", "-"}, {.input = scene});
+  EXPECT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_THAT(piped.out, HasSubstr("\"glass\""));
+  const Outcome torn = run({"scene", "check", "-"}, {.input = scene.substr(0, scene.size() / 2)});
+  EXPECT_EQ(torn.exit_code, 3);
+  EXPECT_THAT(torn.err, HasSubstr("standard input:"));
+}
+
 TEST_F(Streams, ReportPrintsThePathOfThePage) {
   ASSERT_EQ(run(render()).exit_code, 0);
   const std::string page = (folder_ / "a.html").string();

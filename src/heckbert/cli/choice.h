@@ -32,6 +32,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const auto& row : table) names.emplace_back(row.name);
   return names;
 }

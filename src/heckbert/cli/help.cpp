@@ -53,11 +53,10 @@ CLI::App* add_family(CLI::App& parent, const std::string& name, const std::strin
 void style_help(CLI::App& app) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.get_help_ptr()->description("print this help");
-  app.footer(
-      std::string(kEachCommand) +
-      "Results go to standard output, all else to standard error; '-' as a file name is standard input or output.\n"
-      "Settings may also come from variables, HECKBERT_SPP=64 for --spp 64, or from a --config file, spp = 64.\n\n" +
-      exit_codes());
+  app.footer(std::string(kEachCommand) +
+             "Results go to standard output, all else to standard error; '-' is a file name for either stream.\n"
+             "Settings may also come from variables, HECKBERT_SPP=64, or from a --config file, spp = 64.\n\n" +
+             exit_codes());
 }
 
 }  // namespace heckbert::cli

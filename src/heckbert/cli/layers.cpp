@@ -44,6 +44,19 @@ std::vector<record::Layer> layers_of(const record::Record& record, const std::ve
   return layers;
 }
 
+void add_non_path_layers(const record::Record& record, std::vector<record::Layer>& layers) {
+  const auto add = [&](const std::string& name, const std::vector<Rgb>& pixels) {
+    if (pixels.empty()) return;
+    std::vector<std::string> taken;
+    for (const record::Layer& layer : layers) taken.push_back(layer.name);
+    layers.push_back({record::layer_name(name, taken),
+                      {record.info.window, pixels},
+                      {{"note", "no light path; not part of the picture"}}});
+  };
+  add("ambient", record.ambient);
+  add("phantom", record.phantom);
+}
+
 std::string describe(const ClassOfRecord& item) {
   const bool named = item.grammar.name != item.grammar.expression;
   return fmt::format("{}{}: {} of the energy, {}", named ? item.grammar.name + " = " : "", item.grammar.expression,

@@ -33,6 +33,9 @@ std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::v
 std::vector<record::Layer> layers_of(const record::Record& record, const std::vector<ClassOfRecord>& classes,
                                      taxonomy::GlossyRule rule, bool first_unnamed = false);
 
+/// Light that no path carries, as far as the record has it: layers "ambient" and "phantom". It is not in the picture.
+void add_non_path_layers(const record::Record& record, std::vector<record::Layer>& layers);
+
 /// "caustic = LS+DE: 3.12 % of the energy, 3.01 to 3.23 %"
 std::string describe(const ClassOfRecord& item);
 

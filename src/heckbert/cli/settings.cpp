@@ -132,11 +132,15 @@ struct Given {
 };
 using Layer = std::map<std::string, Given>;
 
+/// What a layer of the command line itself says: complaints are about usage and name the place.
+Given given_in_usage(const std::string& text, const std::string& place) {
+  return {text, place,
+          [place](const std::string& message) { throw UsageError(fmt::format("{}: {}", place, message)); }};
+}
+
 Layer flag_layer(const SettingFlags& flags) {
   Layer layer;
-  for (const auto& [name, text] : flags.texts)
-    layer[name] = {text, "--" + name,
-                   [place = "--" + name](const std::string& message) { throw UsageError(place + ": " + message); }};
+  for (const auto& [name, text] : flags.texts) layer[name] = given_in_usage(text, "--" + name);
   return layer;
 }
 
@@ -145,10 +149,7 @@ Layer environment_layer() {
   for (const Setting& setting : all_settings()) {
     const std::string variable = variable_of(setting.name);
     const std::string text = environment(variable);
-    if (text.empty()) continue;
-    layer[setting.name] = {text, variable, [variable](const std::string& message) {
-                             throw UsageError("environment variable " + variable + ": " + message);
-                           }};
+    if (!text.empty()) layer[setting.name] = given_in_usage(text, "environment variable " + variable);
   }
   return layer;
 }

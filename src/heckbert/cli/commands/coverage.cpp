@@ -32,7 +32,7 @@ void declare(CLI::App& command, CoverageFlags& options) {
   command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
   command
       .add_option("--grammar", options.grammars,
-                  "name, .grammar file or expression; may be repeated (default: all algorithms)")
+                  "name, .grammar file or expression; repeatable (default: all algorithms)")
       ->type_name("GRAMMAR")
       ->allow_extra_args(false);
   add_count(command, "--top", options.top, fmt::format("words listed per grammar (default: {})", options.top));

@@ -31,9 +31,7 @@ void declare(CLI::App& command, QueryOptions& options) {
   command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
   command.add_option("EXPR", options.classes, "expression, @name or .grammar file; NAME=EXPR gives the layer a name")
       ->required();
-  command
-      .add_option("-o,--output", options.output,
-                  "the classes' pictures, as OpenEXR: a single EXPR as R, G, B; otherwise one layer each")
+  command.add_option("-o,--output", options.output, "pictures as OpenEXR: one EXPR as R, G, B; several as layers")
       ->type_name("FILE.exr");
   command.add_option("--preview", options.preview, "a PNG of the first class, exposed as the whole picture")
       ->type_name("FILE.png");

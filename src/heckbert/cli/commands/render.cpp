@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <heckbert/cli/account.h>
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
@@ -22,6 +21,7 @@
 #include <heckbert/cli/pictures.h>
 #include <heckbert/cli/pilot.h>
 #include <heckbert/cli/progress.h>
+#include <heckbert/cli/scenes.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/import/import.h>
 #include <heckbert/record/file.h>
@@ -44,7 +44,7 @@ struct RenderOptions {
 };
 
 void declare(CLI::App& command, RenderOptions& options) {
-  command.add_option("SCENE", options.scene, "a built-in scene ('heckbert scene list') or a .json or .obj file")
+  command.add_option("SCENE", options.scene, "built-in scene ('heckbert scene list'), .json or .obj file, or '-'")
       ->required();
   command.add_option("-o,--output", options.output, "the picture and its class layers, as OpenEXR")
       ->type_name("FILE.exr");
@@ -159,6 +159,7 @@ void write_outputs(const Outputs& outputs, const record::Record& record, const s
   if (!outputs.picture.empty()) {
     std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy);
     layers.insert(layers.begin(), record::Layer{"", beauty, {}});
+    add_non_path_layers(record, layers);
     write_to(outputs.picture, [&](const auto& path) { record::write_layers(layers, record.info, path); });
   }
   if (!outputs.record.empty()) write_to(outputs.record, [&](const auto& path) { record::write_record(record, path); });
@@ -189,7 +190,7 @@ ExitCode run(const RenderOptions& options) {
   const Outputs outputs = outputs_of(options);
   const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "--lpe");
   choose_flag("--algorithm", options.algorithm, transport::kAlgorithms);
-  const import::Imported imported = import::load_scene_or_builtin(options.scene);
+  const import::Imported imported = load_scene(options.scene);
   transport::RenderSettings render = render_settings(options, settings, imported.scene.defaults);
   tell_account(console, options.scene, imported.account);
 

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <heckbert/cli/account.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/help.h>
+#include <heckbert/cli/scenes.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/import/import.h>
 #include <heckbert/report/json_parts.h>
@@ -66,7 +66,7 @@ ExitCode run_check(const CheckOptions& options) {
   ExitCode worst = ExitCode::Done;
   for (const std::string& name : options.scenes) {
     const ExitCode code = guarded([&] {
-      const import::Account account = import::load_scene_or_builtin(name).account;
+      const import::Account account = load_scene(name).account;
       json["scenes"].push_back({{"scene", name}, {"account", to_json(account)}});
       if (!options.json) {
         fmt::print("{}\n{}{}{}", name, account_lines(account.understood, "understood"),

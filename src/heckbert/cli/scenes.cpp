@@ -1,8 +1,15 @@
-#include <heckbert/cli/account.h>
+#include <heckbert/cli/scenes.h>
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/files.h>
+
 namespace heckbert::cli {
+
+import::Imported load_scene(const std::string& name){
+    if (name == "-") return import::read_json_scene(read_text(name), "standard input", ".");
+return import::load_scene_or_builtin(name);
+}  // namespace heckbert::cli
 
 std::string account_lines(const std::vector<std::string>& sentences, std::string_view label) {
   std::string text;

@@ -1,5 +1,5 @@
 #pragma once
-// What an importer made of a file, for people and for programs.
+// Scenes as the command line names them, and what an importer made of them, for people and for programs.
 
 #include <string>
 #include <string_view>
@@ -9,6 +9,9 @@
 #include <heckbert/report/json_parts.h>
 
 namespace heckbert::cli {
+
+/// A built-in scene, a file, or for "-" native JSON from standard input. Errors: InputError, ReadError.
+import::Imported load_scene(const std::string& name);
 
 /// "  ignored     map_Kd wood.png: ...", one line for each, or nothing.
 std::string account_lines(const std::vector<std::string>& sentences, std::string_view label);
