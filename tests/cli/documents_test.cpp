@@ -37,10 +37,11 @@ std::string help_of(std::vector<std::string> command) {
 std::string command_line_page() {
   std::string page =
       "# Command line\n\n"
-      "The help pages of the tool, word by word; a test compares. How settings are looked up: flag, then environment,\n"
-      "then `--config` file, then the scene file's `render` object, then the tool's default. Of `--spp` and `--time`, "
-      "and\n"
-      "of `--quiet` and `--verbose`, one given in a stronger layer hides the other in weaker ones.\n";
+      "The help pages of the tool, word by word; a test compares.\n\n"
+      "Settings are looked up in this order: flag, environment, `--config` file, the scene file's\n"
+      "`render` object, the tool's default. A config file has one `name = value` a line, the names being\n"
+      "those of the long flags. Of `--spp` and `--time`, and of `--quiet` and `--verbose`, one given in a\n"
+      "stronger layer hides the other in weaker ones.\n";
   for (const auto& command : kPages)
     page += fmt::format("\n## heckbert{}{}\n\n```text\n{}```\n", command.empty() ? "" : " ", fmt::join(command, " "),
                         help_of(command));

@@ -30,9 +30,7 @@ struct CoverageFlags {
 
 void declare(CLI::App& command, CoverageFlags& options) {
   command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
-  command
-      .add_option("--grammar", options.grammars,
-                  "name, .grammar file or expression; repeatable (default: all algorithms)")
+  command.add_option("--grammar", options.grammars, "name, .grammar file or expression (default: all algorithms)")
       ->type_name("GRAMMAR")
       ->allow_extra_args(false);
   add_count(command, "--top", options.top, fmt::format("words listed per grammar (default: {})", options.top));
