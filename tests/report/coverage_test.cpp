@@ -53,6 +53,19 @@ TEST(Coverage, ListsWhatIsCapturedAndMissedMostFirst) {
   EXPECT_THAT(names(result.grammars[3].top_missed), IsEmpty());
 }
 
+TEST(Coverage, CountsLightThatNoPathCarriesApart) {
+  record::Record record = simple_record();
+  const Coverage without = coverage(record, four_grammars());
+  EXPECT_EQ(without.ambient, 0);
+  record.ambient = {Rgb(0), Rgb(1), Rgb(2), Rgb(5)};
+  record.phantom.assign(4, Rgb(0, 1, 0));
+  const Coverage with = coverage(record, four_grammars());
+  EXPECT_NEAR(with.ambient, 2, 1e-6);
+  EXPECT_NEAR(with.phantom, 0.7152, 1e-6);
+  EXPECT_EQ(with.total.mean, without.total.mean);
+  EXPECT_EQ(with.grammars[0].share.mean, without.grammars[0].share.mean);
+}
+
 TEST(Coverage, CutsTheListsAtTheNumberAskedFor) {
   const Coverage result = coverage(simple_record(), four_grammars(), {.top = 2});
   EXPECT_THAT(names(result.grammars[0].top_missed), ElementsAre("LDDE", "LSE"));

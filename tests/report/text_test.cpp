@@ -119,6 +119,13 @@ TEST(CoverageText, NamesEveryGrammarTheRuleAndTheRender) {
     EXPECT_THAT(text, HasSubstr(fact));
 }
 
+TEST(CoverageText, NamesLightThatNoPathCarriesWhereThereIsAny) {
+  record::Record record = test::lecture_like_record(4, 4);
+  EXPECT_THAT(coverage_text(coverage(record, {})), Not(HasSubstr("ambient")));
+  record.ambient.assign(16, Rgb(0.25f));
+  EXPECT_THAT(coverage_text(coverage(record, {})), HasSubstr("ambient term 0.25, phantom mirror 0"));
+}
+
 TEST(CoverageText, WarnsOfAnInterruptedRender) {
   record::Record record = test::lecture_like_record(4, 4);
   EXPECT_THAT(coverage_text(coverage(record, {})), Not(HasSubstr("Warning")));

@@ -66,6 +66,12 @@ std::vector<WordEnergy> top(std::vector<WordEnergy> words, std::size_t count) {
   return words;
 }
 
+double mean_luminance(const std::vector<Rgb>& pixels) {
+  double sum = 0;
+  for (const Rgb pixel : pixels) sum += static_cast<double>(luminance(pixel));
+  return pixels.empty() ? 0 : sum / static_cast<double>(pixels.size());
+}
+
 }  // namespace
 
 std::vector<WordEnergy> words_by_energy(const record::Record& record, const std::vector<bool>& chosen,
@@ -85,6 +91,8 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
   result.glossy_rule = options.glossy_rule;
   result.confidence = options.confidence;
   result.total = energies.of_words(all).energy;
+  result.ambient = mean_luminance(record.ambient);
+  result.phantom = mean_luminance(record.phantom);
   result.words = ranked(energies, spellings, all);
   for (const taxonomy::Grammar& grammar : grammars) {
     const std::vector<bool> captured = members(record, grammar.language, options.glossy_rule);

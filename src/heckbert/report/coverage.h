@@ -38,6 +38,8 @@ struct Coverage {
   taxonomy::GlossyRule glossy_rule = taxonomy::GlossyRule::Keep;
   double confidence = 0.95;
   record::Estimate total;  ///< picture-mean luminance of all words
+  /// Picture-mean luminance of light that belongs to no path, and so to no share; 0 when there is none.
+  double ambient = 0, phantom = 0;
   std::vector<GrammarCoverage> grammars;
   std::vector<WordEnergy> words;  ///< all, by energy, most first
 };

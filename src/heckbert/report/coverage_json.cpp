@@ -23,6 +23,7 @@ std::string coverage_json(const Coverage& coverage) {
   document["glossy_rule"] = name_of(coverage.glossy_rule);
   document["confidence"] = coverage.confidence;
   document["total"] = to_json(coverage.total);
+  document["non_path"] = {{"ambient", coverage.ambient}, {"phantom", coverage.phantom}};
   document["grammars"] = std::move(grammars);
   document["words"] = to_json(coverage.words);
   return dump(document);

@@ -35,6 +35,10 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
   text += wrap(fmt::format("Energy is the mean luminance of the picture: {} in all. Intervals hold at {}.",
                            number(coverage.total.mean), level(coverage.confidence)),
                style.width);
+  if (coverage.ambient > 0 || coverage.phantom > 0)
+    text += wrap(fmt::format("Outside of every share, as no path: ambient term {}, phantom mirror {}.",
+                             number(coverage.ambient), number(coverage.phantom)),
+                 style.width);
   for (const std::string& warning : warnings(coverage.info, coverage.tally))
     text += wrap("Warning: " + warning, style.width);
 
