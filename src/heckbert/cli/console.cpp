@@ -10,7 +10,7 @@
 namespace heckbert::cli {
 namespace {
 
-constexpr std::size_t kPlainWidth = 100;  ///< of tables that go to a file or a pipe
+constexpr std::size_t kPlainWidth = 100;  ///< of tables when there is no terminal
 
 bool wanted(When when, bool by_itself) {
   return when == When::Always || (when == When::Auto && by_itself);
@@ -40,8 +40,13 @@ std::string Console::paint(Style style, std::string_view text) const {
 
 report::TextStyle Console::table_style() const {
   report::TextStyle style{.width = kPlainWidth, .colour = colours_};
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
+  // Behind a pipe there may still be a terminal, as in "heckbert coverage r.exr | less".
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    winsize size{};
+    if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) continue;
+    style.width = size.ws_col;
+    break;
+  }
   return style;
 }
 
