@@ -13,7 +13,12 @@ cd "$work"
 
 say() { printf '\n'; printf '# %s\n' "$@"; }
 ask() { # a command whose answer may be no
-  printf '$ heckbert %s\n' "$*"
+  local argument line='$ heckbert'
+  for argument; do
+    [[ $argument =~ ^[A-Za-z0-9@.-]+$ ]] || argument="'$argument'"
+    line+=" $argument"
+  done
+  printf '%s\n' "$line"
   "$heckbert" "$@" || [ $? -eq 1 ]
 }
 settings=(--size 128x128 --spp 64 --seed 1 --quiet)
