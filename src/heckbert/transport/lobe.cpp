@@ -22,9 +22,9 @@ glm::vec3 mirrored(glm::vec3 wo) {
 }
 
 // GGX after Walter et al. 2007; height-correlated Smith masking and visible normals after Heitz 2014 and 2018.
-float ggx_density(float cos_h, float alpha) {
+float ggx_density(glm::vec3 h, float alpha) {
   const float a2 = alpha * alpha;
-  const float d = cos_h * cos_h * (a2 - 1.0f) + 1.0f;
+  const float d = h.x * h.x + h.y * h.y + a2 * h.z * h.z;  // not from the cosine alone, which is near one and cancels
   return a2 / (kPi * d * d);
 }
 
@@ -53,8 +53,10 @@ glm::vec3 visible_normal(glm::vec3 wo, float alpha, glm::vec2 u) {
   return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, std::max(1e-6f, n.z)));
 }
 
-float phong_cosine(glm::vec3 wo, glm::vec3 wi) {
-  return std::max(0.0f, glm::dot(mirrored(wo), wi));
+/// The n-th power of the cosine about the mirror direction; nothing beyond a right angle, for n = 0 too.
+float phong_power(const Phong& l, glm::vec3 wo, glm::vec3 wi) {
+  const float cosine = glm::dot(mirrored(wo), wi);
+  return cosine > 0 ? std::pow(std::min(cosine, 1.0f), l.exponent) : 0.0f;
 }
 
 }  // namespace
@@ -75,11 +77,9 @@ Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi) {
           [&](const Ggx& l) {
             const glm::vec3 h = glm::normalize(wo + wi);
             const float masking = 1.0f / (1.0f + smith_lambda(wo, l.alpha) + smith_lambda(wi, l.alpha));
-            return schlick(l.f0, glm::dot(wi, h)) * (ggx_density(h.z, l.alpha) * masking / (4.0f * wo.z * wi.z));
+            return schlick(l.f0, glm::dot(wi, h)) * (ggx_density(h, l.alpha) * masking / (4.0f * wo.z * wi.z));
           },
-          [&](const Phong& l) {
-            return l.reflectance * ((l.exponent + 2.0f) / (2.0f * kPi) * std::pow(phong_cosine(wo, wi), l.exponent));
-          },
+          [&](const Phong& l) { return l.reflectance * ((l.exponent + 2.0f) / (2.0f * kPi) * phong_power(l, wo, wi)); },
           [](const auto&) { return Rgb{}; },
       },
       lobe);
@@ -91,11 +91,9 @@ float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi) {
                         [&](const Lambert&) { return wi.z / kPi; },
                         [&](const Ggx& l) {
                           const glm::vec3 h = glm::normalize(wo + wi);
-                          return ggx_density(h.z, l.alpha) / ((1.0f + smith_lambda(wo, l.alpha)) * 4.0f * wo.z);
+                          return ggx_density(h, l.alpha) / ((1.0f + smith_lambda(wo, l.alpha)) * 4.0f * wo.z);
                         },
-                        [&](const Phong& l) {
-                          return (l.exponent + 1.0f) / (2.0f * kPi) * std::pow(phong_cosine(wo, wi), l.exponent);
-                        },
+                        [&](const Phong& l) { return (l.exponent + 1.0f) / (2.0f * kPi) * phong_power(l, wo, wi); },
                         [](const auto&) { return 0.0f; },
                     },
                     lobe);
