@@ -50,11 +50,26 @@ TEST(GlassBall, IsCrossedInPairsAtEveryScaleAndDistance) {
 }
 
 TEST(GlassBall, IsInvisibleInAWhiteRoom) {
-  const auto record =
-      render(glass_ball(1, {0, 0, 0}, 1.5f), {.width = 32, .height = 32, .samples_per_pixel = 256, .max_depth = 200});
-  const auto total = record::energy(record, std::vector<bool>(record.words.size(), true));
-  EXPECT_NEAR(total.mean, 1.0, 4 * total.standard_error + 1e-4);
-  EXPECT_LT(total.standard_error, 0.01);
+  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+    const auto record =
+        render(glass_ball(1, {0, 0, 0}, 1.5f),
+               {.algorithm = algorithm.id, .width = 32, .height = 32, .samples_per_pixel = 256, .max_depth = 200});
+    const auto total = record::energy(record, std::vector<bool>(record.words.size(), true));
+    EXPECT_NEAR(total.mean, 1.0, 4 * total.standard_error + 1e-4) << algorithm.name;
+    EXPECT_LT(total.standard_error, 0.01) << algorithm.name;
+  }
+}
+
+TEST(GlassBall, HoldsRadianceTimesTheSquareOfItsIndex) {
+  // From the centre all rays leave head on; inside, the sky's radiance is larger by n^2 (Veach 1997, 5.2).
+  Scene scene = glass_ball(1, {0, 0, 0}, 1.5f);
+  scene.camera = {.position = {0, 0, 0}, .look_at = {0, 0, -1}};
+  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+    const auto record = render(scene, {.algorithm = algorithm.id, .width = 8, .height = 8, .samples_per_pixel = 256});
+    expect_energies(record, {{"LSE", 2.25 * 0.96}});
+    const auto total = record::energy(record, std::vector<bool>(record.words.size(), true));
+    EXPECT_NEAR(total.mean, 2.25, 4 * total.standard_error + 1e-4) << algorithm.name;
+  }
 }
 
 TEST(GlassBox, IsCrossedInPairsDespiteItsEdges) {
@@ -118,6 +133,59 @@ TEST(Instance, IsTracedWhereItIsPlacedAndLightsTheScene) {
   EXPECT_TRUE(render(scene, settings).words.empty());
 }
 
+/// A ball of radius one as a mesh of latitudes and longitudes, with the ball's own normals.
+Mesh smooth_ball(unsigned rows) {
+  Mesh ball;
+  const unsigned columns = 2 * rows;
+  for (unsigned i = 0; i <= rows; ++i)
+    for (unsigned j = 0; j <= columns; ++j) {
+      const double theta = std::numbers::pi * i / rows, phi = std::numbers::pi * j / rows;
+      ball.positions.emplace_back(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+    }
+  for (unsigned i = 0; i < rows; ++i)
+    for (unsigned j = 0; j < columns; ++j) {
+      const unsigned a = i * (columns + 1) + j, b = a + columns + 1;
+      if (i > 0) ball.triangles.emplace_back(a, a + 1, b + 1);
+      if (i + 1 < rows) ball.triangles.emplace_back(a, b + 1, b);
+    }
+  ball.normals = ball.positions;
+  return ball;
+}
+
+TEST(SmoothMesh, AConvexMirrorIsSeenInOneReflectionUpToItsRim) {
+  Scene scene;
+  add(scene, smooth_ball(16), {.name = "mirror", .lobes = {Mirror{Rgb(1)}}});
+  scene.environment = Rgb(1);
+  scene.camera = {.position = {0, 0, 4}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 32};
+  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+    const auto record = render(scene, {.algorithm = algorithm.id, .width = 64, .height = 64, .samples_per_pixel = 16});
+    ASSERT_EQ(record.words.size(), 2u) << algorithm.name;
+    EXPECT_EQ(taxonomy::plain(record.words[0]), "LE");
+    EXPECT_EQ(taxonomy::plain(record.words[1]), "LSE");
+    EXPECT_NEAR(energy_of(record, "LE").mean + energy_of(record, "LSE").mean, 1.0, 1e-6);
+  }
+}
+
+TEST(SmoothMesh, HasTheNormalsOfTheSurfaceItStandsForUnderAnyTransform) {
+  // Stretching a ball by a along x gives an ellipsoid, whose normal at p is along (p.x / a^2, p.y, p.z).
+  for (const float a : {1.0f, 3.0f, -3.0f}) {
+    Scene scene;
+    scene.materials = {diffuse(1)};
+    scene.groups.push_back({.name = "g", .shapes = {{.name = "ball", .geometry = smooth_ball(64)}}});
+    scene.instances.push_back({.group = 0, .to_world = glm::scale(glm::mat4(1), glm::vec3(a, 1, 1))});
+    const Tracer tracer(scene);
+    for (const glm::vec3 towards : {glm::vec3(0, 0, 0), glm::vec3(0.5f * a, 0.3f, 0), glm::vec3(-0.8f * a, -0.2f, 0)}) {
+      const auto hit = tracer.intersect({{towards.x, towards.y, 5}, {0, 0, -1}});
+      ASSERT_TRUE(hit);
+      EXPECT_TRUE(hit->front);
+      const glm::vec3 p = hit->position;
+      const glm::vec3 expected = glm::normalize(glm::vec3(p.x / (a * a), p.y, p.z));
+      EXPECT_LT(glm::length(hit->normal_shading - expected), 1e-3f) << a;
+      EXPECT_GT(glm::length(hit->normal_geometric - expected), 1e-3f) << "the facets must not do by themselves";
+    }
+  }
+}
+
 TEST(Tracer, RefusesWhatBreaksTheRulesOfAScene) {
   Scene stretched;
   stretched.materials = {diffuse(1)};
@@ -127,6 +195,10 @@ TEST(Tracer, RefusesWhatBreaksTheRulesOfAScene) {
   Scene dangling;
   dangling.shapes.push_back({.name = "ball", .geometry = Sphere{}, .material = 3});
   EXPECT_THROW(Tracer{dangling}, std::invalid_argument);
+  Scene no_ball;
+  no_ball.materials = {diffuse(1)};
+  no_ball.shapes.push_back({.name = "ball", .geometry = Sphere{.radius = 0}});
+  EXPECT_THROW(Tracer{no_ball}, std::invalid_argument);
   Scene no_vertex;
   no_vertex.materials = {diffuse(1)};
   no_vertex.shapes.push_back({.name = "mesh", .geometry = Mesh{.positions = {{0, 0, 0}}, .triangles = {{0, 1, 2}}}});

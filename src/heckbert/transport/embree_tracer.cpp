@@ -74,7 +74,7 @@ struct Tracer::Impl {
 
 namespace {
 
-void check_indices(const Scene& scene, const Shape& shape) {
+void check_shape(const Scene& scene, const Shape& shape) {
   const auto check_material = [&](std::uint32_t material) {
     if (material >= scene.materials.size())
       throw std::invalid_argument(fmt::format("shape '{}': there is no material {}", shape.name, material));
@@ -90,6 +90,8 @@ void check_indices(const Scene& scene, const Shape& shape) {
     if (!mesh->face_materials.empty() && mesh->face_materials.size() != mesh->triangles.size())
       throw std::invalid_argument(fmt::format("shape '{}': needs one material per triangle", shape.name));
     for (std::uint32_t material : mesh->face_materials) check_material(material);
+  } else if (!(std::get<Sphere>(shape.geometry).radius > 0)) {
+    throw std::invalid_argument(fmt::format("shape '{}': a sphere needs a radius above zero", shape.name));
   }
 }
 
@@ -125,9 +127,9 @@ bool has_glass_mesh(const Scene& scene) {
 }  // namespace
 
 Tracer::Impl::Impl(const Scene& source) {
-  for (const Shape& shape : source.shapes) check_indices(source, shape);
+  for (const Shape& shape : source.shapes) check_shape(source, shape);
   for (const Group& group : source.groups)
-    for (const Shape& shape : group.shapes) check_indices(source, shape);
+    for (const Shape& shape : group.shapes) check_shape(source, shape);
 
   device = rtcNewDevice(nullptr);
   if (device == nullptr) throw LimitError("Embree could not be started on this machine");

@@ -55,7 +55,8 @@ inline glm::vec3 leave(const Hit& hit, bool to_front) {
 
 class Tracer {
  public:
-  /// Errors: std::invalid_argument for indices out of range or a sphere under a transform that is no similarity.
+  /// Errors: std::invalid_argument for indices out of range, a sphere without a radius or under a transform that is no
+  /// similarity.
   explicit Tracer(const Scene& scene);
   ~Tracer();
   Tracer(const Tracer&) = delete;

@@ -36,12 +36,15 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
 Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction)
     : hit(found), material(&scene.materials[found.material]) {
   const float side = hit.front ? 1.0f : -1.0f;
-  frame = Frame::around(side * hit.normal_shading);
-  wo = frame.to_local(-ray_direction);
-  if (wo.z <= 0) {  // an interpolated normal that looks away from the ray: shade with the flat one
-    frame = Frame::around(side * hit.normal_geometric);
+  const auto shade_with = [&](glm::vec3 normal) {
+    frame = Frame::around(side * normal);
     wo = frame.to_local(-ray_direction);
-  }
+  };
+  shade_with(hit.normal_shading);
+  // An interpolated normal that looks away from the ray, or that would mirror it into the surface: shade with the flat
+  // one, or a convex mirror would show itself at its rim.
+  const glm::vec3 mirrored = frame.to_world({-wo.x, -wo.y, wo.z});
+  if (wo.z <= 0 || side * glm::dot(mirrored, hit.normal_geometric) <= 0) shade_with(hit.normal_geometric);
   // On the silhouette of a sphere the cosine may round to the wrong sign; the side is known, so it is only small.
   constexpr float kSmallestCosine = 1e-6f;
   if (wo.z < kSmallestCosine) {
