@@ -176,6 +176,15 @@ TEST(FormFactor, OfASphere) {
   expect_energies(point_below(Sphere{{0, 2, 0}, 0.5f}, {0, 0, 0}), {{"LDE", 1.0 / 16.0}});  // (R / d)^2
 }
 
+TEST(FormFactor, OfAStarlikeSphere) {
+  // Ten million radii away: neither the cone nor the point on the sphere may be lost to cancellation.
+  Scene scene;
+  add(scene, make_quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}), diffuse(0.5f));
+  add(scene, Sphere{{0, 1000, 0}, 1e-4f}, emitter(2e14f));
+  scene.camera = {.position = {0.3f, 0.5f, 0}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 0.01f};
+  expect_energies(render(scene, {.width = 8, .height = 8, .samples_per_pixel = 64, .max_depth = 1}), {{"LDE", 1.0}});
+}
+
 TEST(FormFactor, OfTheCornellLampFromTheFloor) {
   const Mesh lamp = make_quad({-65, 548.8f, -52.5f}, {130, 0, 0}, {0, 0, 105});
   expect_energies(point_below(lamp, {0, 0, 0}), {{"LDE", 0.01420696}});
@@ -196,6 +205,60 @@ TEST(FormFactor, BetweenTheFacesOfACube) {
     scene.camera = {.position = {0, 0, 0}, .look_at = {0, -1, 0}, .up = {0, 0, 1}, .vertical_fov_degrees = 90};
     expect_energies(render(scene, {.width = 32, .height = 32, .samples_per_pixel = 512, .max_depth = 1}),
                     {{"LDE", row.form_factor}});
+  }
+}
+
+TEST(FormFactor, OfTheSkyBesideAWall) {
+  // A long wall of height h at distance d covers (1 - d / hypot(d, h)) / 2 of a floor point's view (Lambert's cosine
+  // included), and is black itself.
+  Scene scene;
+  add(scene, make_quad({-1000, 0, -1000}, {0, 0, 2000}, {2000, 0, 0}), diffuse(0.5f));
+  add(scene, make_quad({1, 0, -1000}, {0, 1, 0}, {0, 0, 2000}), {.name = "black", .lobes = {}});
+  scene.environment = Rgb(2);
+  scene.camera = {.position = {-1, 0.5f, 0.2f}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 0.01f};
+  expect_energies(render(scene, {.width = 16, .height = 16, .samples_per_pixel = 1024, .max_depth = 1}),
+                  {{"LDE", (1 + std::numbers::sqrt2 / 2) / 2}});
+}
+
+// ---- Superposition: light adds up -----------------------------------------------------------------------------------
+// A scene with several lights holds, word by word, the sum of what each light gives alone. Alone, a light is chosen
+// with certainty; together, each with its own probability, which every weight must see.
+
+TEST(Superposition, LightsOfEveryKindAddUpWordByWord) {
+  Scene room;
+  add(room, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}),
+      {.name = "floor", .lobes = {Lambert{Rgb(0.3f)}, Ggx{Rgb(0.5f), 0.2f}}});
+  add(room, make_quad({1.5f, 0, -2}, {0, 0, 4}, {0, 3, 0}), diffuse(0.6f));
+  const std::size_t lamp = room.materials.size();
+  add(room, Sphere{{-1.6f, 0.8f, 0}, 0.4f}, emitter(5));
+  add(room, make_quad({-1.2f, 1.5f, 0.6f}, {0.5f, 0, 0}, {0, 0, 0.5f}), emitter(9));
+  const PointLight point{.position = {-0.5f, 1, -1}, .intensity = Rgb(1)};
+  room.camera = {.position = {1.3f, 0.9f, 0}, .look_at = {-0.1f, 0, 0}, .vertical_fov_degrees = 30};
+  const auto lit_by = [&](bool ball, bool square, bool lamp_point, bool sky) {
+    Scene scene = room;
+    if (!ball) scene.materials[lamp].emission = Rgb(0);
+    if (!square) scene.materials[lamp + 1].emission = Rgb(0);
+    if (lamp_point) scene.point_lights.push_back(point);
+    // The power of the sky goes by the size of the scene: dim, or nothing else would ever be chosen.
+    if (sky) scene.environment = Rgb(2e-3f);
+    return render(scene, {.width = 16, .height = 16, .samples_per_pixel = 1024, .max_depth = 2});
+  };
+  const record::Record alone[] = {lit_by(true, false, false, false), lit_by(false, true, false, false),
+                                  lit_by(false, false, true, false), lit_by(false, false, false, true)};
+  const record::Record together = lit_by(true, true, true, true);
+  for (const char* word : {"LDE", "LGE", "LDDE"}) {
+    double sum = 0, variance = 0;
+    for (const record::Record& r : alone) {
+      const auto e = energy_of(r, word);
+      EXPECT_GT(e.mean, 0) << word;
+      sum += e.mean;
+      variance += e.standard_error * e.standard_error;
+    }
+    const auto e = energy_of(together, word);
+    variance += e.standard_error * e.standard_error;
+    // Two-sample z-test, 1 % over three words after Sidak.
+    EXPECT_NEAR(e.mean, sum, 2.93 * std::sqrt(variance)) << word;
+    EXPECT_LT(std::sqrt(variance), 0.02 * sum) << word;
   }
 }
 

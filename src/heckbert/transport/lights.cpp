@@ -136,15 +136,15 @@ std::optional<LightSample> Lights::sample(glm::vec3 from, Sampler& sampler) cons
     by_cone = is_outside(e, distance2);
     if (by_cone) {
       // A direction in the cone, then the nearer of its two intersections with the sphere (Shirley, Wang, Zimmerman
-      // 1996), written as a point on the sphere so that the shadow ray ends exactly there.
+      // 1996), written as a point on the sphere so that the shadow ray ends exactly there. Its angle at the centre
+      // follows from the law of sines, which stays exact for a sphere as small and far as a star.
       const float distance = std::sqrt(distance2);
       const float one_minus_cos = u.x * one_minus_cos_cone(e, distance2);
-      const float cos_theta = 1.0f - one_minus_cos;
-      const float sin2_theta = std::max(0.0f, one_minus_cos * (2.0f - one_minus_cos));
-      const float along =
-          distance * cos_theta - std::sqrt(std::max(0.0f, e.radius * e.radius - distance2 * sin2_theta));
-      const float cos_alpha =
-          std::clamp((distance2 + e.radius * e.radius - along * along) / (2.0f * distance * e.radius), -1.0f, 1.0f);
+      const float sin2_theta = one_minus_cos * (2.0f - one_minus_cos);
+      const float in_radii = distance / e.radius;
+      const float cos_alpha = std::min(
+          1.0f, sin2_theta * in_radii +
+                    (1.0f - one_minus_cos) * std::sqrt(std::max(0.0f, 1.0f - sin2_theta * in_radii * in_radii)));
       const float sin_alpha = std::sqrt(std::max(0.0f, 1.0f - cos_alpha * cos_alpha));
       const float phi = 2.0f * kPi * u.y;
       normal = Frame::around(-to_center / distance)
