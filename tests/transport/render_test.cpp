@@ -1,10 +1,15 @@
 // The two integrators against each other and against their own promises.
 
 #include <atomic>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+
 #include <heckbert/taxonomy/expression.h>
+#include <heckbert/transport/eye.h>
 
 #include "test_scenes.h"
 
@@ -85,6 +90,38 @@ TEST(Render, TheRecursiveTracersFindWhatTheirGrammarsSayAndTheReferenceAgrees) {
   }
 }
 
+TEST(Render, NoWordHasMoreScatteringsThanTheMaximumDepth) {
+  for (const AlgorithmFacts& algorithm : kAlgorithms)
+    for (const int max_depth : {0, 1, 3}) {
+      const auto record = render(
+          mixed_room(),
+          {.algorithm = algorithm.id, .width = 24, .height = 18, .samples_per_pixel = 64, .max_depth = max_depth});
+      std::size_t longest = 0;
+      for (const taxonomy::Word& word : record.words) longest = std::max(longest, word.events.size());
+      EXPECT_EQ(longest, static_cast<std::size_t>(max_depth)) << algorithm.name;
+    }
+}
+
+TEST(Render, KeepsTheColoursOfLampAndWall) {
+  Scene scene;
+  add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}),
+      {.name = "floor", .lobes = {Lambert{Rgb(0.1f, 0.2f, 0.4f)}, Phong{Rgb(0.4f, 0.2f, 0.1f), 2}}});
+  Material lamp = emitter(1);
+  lamp.emission = Rgb(5, 3, 1);
+  add(scene, make_quad({0, 1, 0}, {1, 0, 0}, {0, 0, 1}), lamp);
+  scene.camera = {.position = {2, 0.5f, 2}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 1};
+  const auto record = render(scene, {.width = 4, .height = 4, .samples_per_pixel = 64, .max_depth = 1});
+  const std::map<std::string, Rgb> colours{{"LDE", {0.5f, 0.6f, 0.4f}}, {"LGE", {2, 0.6f, 0.1f}}};
+  ASSERT_EQ(record.words.size(), colours.size());
+  for (std::size_t w = 0; w < record.words.size(); ++w) {
+    std::vector<bool> chosen(record.words.size());
+    chosen[w] = true;
+    const Rgb seen = record::mean_colour(record, chosen), expected = colours.at(taxonomy::plain(record.words[w]));
+    EXPECT_NEAR(seen.r / seen.g, expected.r / expected.g, 1e-4f);
+    EXPECT_NEAR(seen.b / seen.g, expected.b / expected.g, 1e-4f);
+  }
+}
+
 TEST(Lecture, PutsTheMirrorRayAtDiffuseSurfacesIntoThePhantomBufferOnly) {
   Scene scene = mixed_room();
   const RenderSettings settings{.algorithm = AlgorithmId::Lecture, .width = 24, .height = 18, .samples_per_pixel = 16};
@@ -116,6 +153,23 @@ TEST(Lecture, APhantomMirrorOverAWhiteSkyShowsTheSkyTimesItsReflectance) {
   for (const Rgb p : record.phantom) EXPECT_NEAR(p.g, 0.25f, 1e-6f);
 }
 
+TEST(Lecture, APhantomMirrorShowsTheAmbientAndTheDirectLightOfWhatItReflects) {
+  // A wall that mirrors the floor before it; light falls straight down.
+  Scene scene;
+  Material phantom = diffuse(0.5f);
+  phantom.phantom_reflectance = Rgb(0.25f);
+  add(scene, make_quad({0, 0, -50}, {0, 0, 100}, {100, 0, 0}), phantom);
+  add(scene, make_quad({0, 0, -50}, {0, 100, 0}, {0, 0, 100}), phantom);
+  scene.point_lights.push_back({.position = {4, 1e4f, 0}, .intensity = Rgb(std::numbers::pi_v<float> * 1e8f)});
+  scene.ambient = Rgb(0.1f);
+  scene.camera = {.position = {2, 3, 0}, .look_at = {0, 2, 0}, .vertical_fov_degrees = 0.1f};
+  RenderSettings settings{.algorithm = AlgorithmId::Lecture, .width = 4, .height = 4, .samples_per_pixel = 4};
+  settings.max_depth = 1;  // spent before the floor is shaded
+  for (const Rgb p : render(scene, settings).phantom) EXPECT_NEAR(p.g, 0.25f * 0.05f, 1e-6f);
+  settings.max_depth = 2;
+  for (const Rgb p : render(scene, settings).phantom) EXPECT_NEAR(p.g, 0.25f * (0.05f + 0.5f), 1e-5f);
+}
+
 TEST(Ambient, IsItsCoefficientTimesTheAmbientLightAndNoPath) {
   Scene scene;
   add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}), diffuse(0.5f));
@@ -133,6 +187,31 @@ TEST(Ambient, IsItsCoefficientTimesTheAmbientLightAndNoPath) {
   EXPECT_TRUE(render(scene, settings).ambient.empty() || is_black(render(scene, settings).ambient[0]));
   settings.algorithm = AlgorithmId::Path;
   EXPECT_TRUE(render(scene, settings).ambient.empty());
+}
+
+TEST(Eye, FillsEachPixelOfAWideAndOfATallPicture) {
+  const float half_height = std::tan(glm::radians(30.0f));
+  for (const glm::ivec2 size : {glm::ivec2(8, 2), glm::ivec2(2, 8), glm::ivec2(3, 3)}) {
+    const Eye eye({.position = {0, 0, 0}, .look_at = {0, 0, -1}, .vertical_fov_degrees = 60}, size.x, size.y);
+    const float pixel = 2 * half_height / static_cast<float>(size.y);
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        glm::vec2 low(1), high(0);  // of the place within the pixel
+        for (int n = 0; n < 1000; ++n) {
+          Sampler sampler(1, x, y, n);
+          const glm::vec3 d = eye.ray(x, y, sampler).direction;
+          const glm::vec2 film = glm::vec2(d.x, -d.y) / (-d.z * pixel) + 0.5f * glm::vec2(size) - glm::vec2(x, y);
+          low = glm::min(low, film);
+          high = glm::max(high, film);
+        }
+        for (int axis = 0; axis < 2; ++axis) {
+          EXPECT_NEAR(low[axis], 0.0f, 0.01f);
+          EXPECT_NEAR(high[axis], 1.0f, 0.01f);
+          EXPECT_GT(low[axis], -1e-5f);
+          EXPECT_LT(high[axis], 1 + 1e-5f);
+        }
+      }
+  }
 }
 
 TEST(Eye, AThinLensEndsWordsInElAndFocusesOnItsPlane) {
@@ -154,6 +233,19 @@ TEST(Eye, AThinLensEndsWordsInElAndFocusesOnItsPlane) {
   const auto blurred = record::beauty(render(scene, settings));
   EXPECT_GT(blurred.at(8, 8).g, 0.1f);
   EXPECT_LT(blurred.at(7, 8).g, 0.9f);
+}
+
+TEST(Eye, AThinLensFocusesOnAPlaneUpToTheRimOfAWidePicture) {
+  Scene scene;
+  const float pixel = 2 * std::tan(glm::radians(50.0f)) * 4 / 16;
+  add(scene, make_quad({-20, -20, 0}, {20 + 6.5f * pixel, 0, 0}, {0, 40, 0}), emitter(1));  // ends inside pixel 14
+  scene.camera = {
+      .position = {0, 0, 4}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 100, .lens_radius = 2, .focus_distance = 4};
+  const auto image = record::beauty(render(scene, {.width = 16, .height = 16, .samples_per_pixel = 64}));
+  for (int y = 0; y < 16; ++y) {
+    EXPECT_EQ(image.at(13, y).g, 1.0f);
+    EXPECT_EQ(image.at(15, y).g, 0.0f);
+  }
 }
 
 TEST(Render, StopsWhenAskedAndSaysSo) {
@@ -180,6 +272,9 @@ TEST(Render, RefusesSettingsOutOfRange) {
   EXPECT_THROW(render(scene, {.samples_per_pixel = 0}), std::invalid_argument);
   EXPECT_THROW(render(scene, {.max_depth = -1}), std::invalid_argument);
   EXPECT_THROW(render(scene, {.width = 64, .height = 64, .crop = record::Window{0, 0, 65, 10}}), std::invalid_argument);
+  Scene too_smooth = scene;
+  too_smooth.materials.push_back({.name = "glossy", .lobes = {Ggx{Rgb(0.5f), 0}}});
+  EXPECT_THROW(render(too_smooth, {}), std::invalid_argument);
 }
 
 TEST(Render, ASceneWithoutLightIsBlackAndHasNoWords) {

@@ -40,7 +40,7 @@ struct Dielectric {
 };
 
 /// Microfacet reflection with the GGX distribution (Walter et al. 2007), height-correlated Smith masking and Schlick's
-/// Fresnel approximation from F0; alpha is the square of the usual roughness. Letter G.
+/// Fresnel approximation from F0; alpha, above zero, is the square of the usual roughness. Letter G.
 struct Ggx {
   Rgb f0{0.9f};
   float alpha = 0.1f;
