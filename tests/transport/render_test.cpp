@@ -141,6 +141,15 @@ TEST(Lecture, PutsTheMirrorRayAtDiffuseSurfacesIntoThePhantomBufferOnly) {
   EXPECT_TRUE(render(scene, whitted).phantom.empty());
 }
 
+TEST(Lecture, WhereAMirrorContinuesTheRayNoPhantomDoublesIt) {
+  Scene scene = furnace(0, 1);  // at every wall two rays of full strength would be a tree without bound
+  scene.materials[0].phantom_reflectance = Rgb(1);
+  const auto record = render(
+      scene, {.algorithm = AlgorithmId::Lecture, .width = 4, .height = 4, .samples_per_pixel = 4, .max_depth = 12});
+  EXPECT_TRUE(record.phantom.empty());
+  expect_energies(record, {{"LE", 1}, {"LSE", 1}, {"LSSSE", 1}});
+}
+
 TEST(Lecture, APhantomMirrorOverAWhiteSkyShowsTheSkyTimesItsReflectance) {
   Scene scene;
   Material floor = diffuse(0.5f);

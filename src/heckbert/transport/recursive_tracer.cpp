@@ -41,8 +41,9 @@ class Tree {
     bool spawned = false;
     for (const Lobe& lobe : vertex.material->lobes)
       if (is_delta(lobe)) spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
-    if (options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
-      spawned |= spawn_phantom(branch, vertex);
+    // Only where the ray would end: two rays at full strength from every wall would be a tree without bound.
+    if (!spawned && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
+      spawned = spawn_phantom(branch, vertex);
     if (!spawned) walk_.sink.end_path(PathEnd::Absorbed);
   }
 

@@ -64,7 +64,8 @@ struct Material {
   Rgb emission{};             ///< radiance; black: not a light
   Sides emission_sides = Sides::Front;
   /// The lecture's recursive tracer continues in the mirror direction even at a diffuse surface, weighted by this k_r;
-  /// that light is no path and goes to the phantom buffer. No other algorithm reads it.
+  /// that light is no path and goes to the phantom buffer. Read by no other algorithm, and not where a mirror or glass
+  /// lobe continues the ray already.
   Rgb phantom_reflectance{};
   /// k_a of the ambient term, used by the recursive tracers with an ambient light; no path either.
   std::optional<Rgb> ambient_reflectance{};  ///< unset: the sum of the diffuse albedos
