@@ -186,6 +186,29 @@ TEST(SmoothMesh, HasTheNormalsOfTheSurfaceItStandsForUnderAnyTransform) {
   }
 }
 
+TEST(Instance, ScalesASphereAndTheLightItGives) {
+  // FormFactor.OfASphere, with the ball of radius 1/2 at height 2 made of a unit ball by a turning, shrinking
+  // transform.
+  Scene scene;
+  add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}), diffuse(0.5f));
+  scene.materials.push_back(emitter(2));
+  scene.groups.push_back(
+      {.name = "lamp", .shapes = {{.name = "ball", .geometry = Sphere{{2, 0, 0}, 1}, .material = 1}}});
+  const glm::mat4 turned =
+      glm::rotate(glm::translate(glm::mat4(1), glm::vec3(0, 1, 0)), glm::radians(90.0f), glm::vec3(0, 0, 1));
+  scene.instances.push_back({.group = 0, .to_world = glm::scale(turned, glm::vec3(0.5f))});
+  scene.camera = {.position = {2, 0.5f, 2}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 0.01f};
+  expect_energies(render(scene, {.width = 8, .height = 8, .samples_per_pixel = 1024, .max_depth = 1}),
+                  {{"LDE", 1.0 / 16.0}});
+  // Seen directly it is as wide as it should be: half the picture's height at a view of twice its angle.
+  scene.camera = {
+      .position = {0, 2, 8}, .look_at = {0, 2, 0}, .vertical_fov_degrees = 4 * glm::degrees(std::asin(0.5f / 8))};
+  const auto image = record::beauty(render(scene, {.width = 64, .height = 64, .samples_per_pixel = 4, .max_depth = 0}));
+  EXPECT_EQ(image.at(32, 32).g, 2.0f);
+  EXPECT_EQ(image.at(32, 17).g, 2.0f);
+  EXPECT_EQ(image.at(32, 14).g, 0.0f);
+}
+
 TEST(Tracer, RefusesWhatBreaksTheRulesOfAScene) {
   Scene stretched;
   stretched.materials = {diffuse(1)};

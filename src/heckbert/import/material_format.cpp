@@ -132,7 +132,7 @@ const std::vector<Key<MaterialDraft>>& material_keys() {
           Custom<Emission>{"colour, each " + kNotNegative.describe() + ", or an emission object", read_emission},
           &D::emission, "0", "radiance that the surface emits; it reflects all the same"),
       key("phantom_reflectance", Colour{kUnit}, &D::phantom_reflectance, "0",
-          "weight of the mirror ray that the lecture's tracer follows at diffuse surfaces; no light path"),
+          "weight of the mirror ray that the lecture's tracer follows where no mirror or glass does; no light path"),
       key("ambient_reflectance", Colour{kUnit}, &D::ambient_reflectance, "sum of the Lambert albedos",
           "factor of the ambient term of the recursive tracers; no light path")};
   return keys;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -53,10 +54,12 @@ Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer
     const float radius = 0.5f * glm::length(tracer.bounds_high() - tracer.bounds_low());
     environment_source_ = sources_.size();
     sources_.push_back({Source::Type::Environment, 0});
-    power.push_back(double{kPi} * kPi * radius * radius * max_channel(scene.environment));
+    const double sky = double{kPi} * kPi * radius * radius * max_channel(scene.environment);
+    // A wide floor must not starve the lamps that stand on it: the sky is never chosen more often than all of them.
+    const double lamps = std::accumulate(power.begin(), power.end(), 0.0);
+    power.push_back(lamps > 0 ? std::min(sky, lamps) : 1.0);
   }
-  double total = 0;
-  for (const double p : power) total += p;
+  const double total = std::accumulate(power.begin(), power.end(), 0.0);
   double sum = 0;
   for (const double p : power) cumulative_.push_back(static_cast<float>((sum += p) / total));
   if (!cumulative_.empty()) cumulative_.back() = 1.0f;

@@ -121,7 +121,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const Window window = picture_window(settings);
   const std::vector<Window> tiles = tiles_of(window);
   ProgressMeter meter(hooks, window.pixel_count());
-  std::atomic<std::size_t> next_tile{0};
+  std::atomic<std::size_t> next_tile{0}, pixels_done{0};
   const auto stopped = [&] { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); };
 
   const auto work = [&](const tbb::blocked_range<int>&) {
@@ -130,9 +130,10 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
     for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
       const Window& tile = tiles[number];
       std::uint64_t rays = 0;
+      std::size_t pixels = 0;
       worker.begin(tile);
       for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x)
+        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x, ++pixels)
           for (int sample = 0; sample < settings.samples_per_pixel; ++sample) {
             Walk walk{.sink = sink, .sampler = Sampler(settings.seed, x, y, sample), .wants_words = wants_words};
             sink.begin_sample(x, y, sample);
@@ -140,12 +141,13 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
             rays += walk.rays;
           }
       worker.end(number);
-      meter.advance(tile.pixel_count(), rays);
+      pixels_done += pixels;
+      meter.advance(pixels, rays);
     }
   };
   tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner()); });
-  return !stopped();
+  return pixels_done == window.pixel_count();
 }
 
 /// Adds everything up to one colour per pixel and forgets the rest.
