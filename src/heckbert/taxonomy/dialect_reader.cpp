@@ -1,0 +1,127 @@
+#include <heckbert/taxonomy/dialect_reader.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <heckbert/taxonomy/dialect_parser.h>
+#include <heckbert/taxonomy/expression_parser.h>
+#include <heckbert/taxonomy/tree_language.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+ExpressionSource source_of(std::string_view name, std::string_view text) {
+  return {name, text, 0, text.size(), {}};
+}
+
+bool is_word_tree(const Node& tree) {
+  for (const NodeKind kind : {NodeKind::Name, NodeKind::Both, NodeKind::Without, NodeKind::Complement, NodeKind::Bad})
+    if (has_kind(tree, kind)) return false;
+  return true;
+}
+
+// The language of a tree as written, cut down to whole paths.
+Language paths(const Node& tree, Orientation orientation) {
+  switch (tree.kind) {
+    case NodeKind::Complement:
+      return !paths(tree.children[0], orientation);
+    case NodeKind::Both:
+      return paths(tree.children[0], orientation) & paths(tree.children[1], orientation);
+    case NodeKind::Without:
+      return paths(tree.children[0], orientation) - paths(tree.children[1], orientation);
+    case NodeKind::Alternation:
+      if (!is_word_tree(tree)) {
+        Language all = Language::none();
+        for (const Node& child : tree.children) all = all | paths(child, orientation);
+        return all;
+      }
+      break;
+    default:
+      break;
+  }
+  const Language from_eye = language_of(reversed(tree)) & Language::universe();
+  if (orientation == Orientation::CameraFirst) return from_eye;
+  return from_eye | (language_of(tree) & Language::universe());
+}
+
+// Which way round a word tree of an undirected dialect is written.
+Node from_light(const Node& tree, Orientation orientation) {
+  const bool is_from_light =
+      orientation == Orientation::Either && !(language_of(tree) & Language::universe()).is_empty();
+  return is_from_light ? tree : reversed(tree);
+}
+
+// The text with all edits made; nothing when two of them touch.
+std::optional<std::string> edited(std::string_view text, std::vector<Edit> edits) {
+  std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.offset < b.offset; });
+  std::string result;
+  std::size_t at = 0;
+  for (const Edit& edit : edits) {
+    if (edit.offset < at) return std::nullopt;
+    result += text.substr(at, edit.offset - at);
+    result += edit.replacement;
+    at = edit.offset + edit.length;
+  }
+  result += text.substr(at);
+  return result;
+}
+
+void propose_repair(ExpressionSource& source, const DialectTree& parsed, const DialectFacts& dialect) {
+  if (!parsed.is_repairable) return;
+  const auto repaired = edited(source.document, parsed.edits);
+  if (!repaired) return;
+  ExpressionSource again = source_of(source.name, *repaired);
+  parse_dialect(again, dialect);
+  if (again.errors.empty()) source.errors.back().suggestion = "did you mean '" + *repaired + "'?";
+}
+
+[[noreturn]] void throw_sorted(ExpressionSource& source) {
+  std::stable_sort(source.errors.begin(), source.errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+  throw InputError(std::move(source.errors));
+}
+
+ReadingWithTree read_heckbert(std::string_view text, const Names& names, std::string_view name) {
+  ReadingWithTree result{{compile(text, names, name), {}, {}}, std::nullopt};
+  ExpressionSource source = source_of(name, text);
+  const Node tree = parse_expression(source);
+  if (is_word_tree(tree)) result.tree = from_light(tree, Orientation::Either);
+  return result;
+}
+
+}  // namespace
+
+ReadingWithTree read_with_tree(std::string_view text, Dialect dialect, const Names& names, std::string_view name) {
+  if (dialect == Dialect::Heckbert) return read_heckbert(text, names, name);
+  const DialectFacts& facts_of_dialect = facts(dialect);
+  ExpressionSource source = source_of(name, text);
+  DialectTree parsed = parse_dialect(source, facts_of_dialect);
+  if (!source.errors.empty()) {
+    propose_repair(source, parsed, facts_of_dialect);
+    throw_sorted(source);
+  }
+  ReadingWithTree result;
+  result.reading.prefixes = std::move(parsed.prefixes);
+  result.reading.warnings = std::move(parsed.warnings);
+  const Orientation orientation = facts_of_dialect.orientation;
+  try {
+    result.reading.language = paths(parsed.root, orientation);
+    if (is_word_tree(parsed.root)) result.tree = from_light(parsed.root, orientation);
+  } catch (const LimitError& error) {
+    throw LimitError(std::string(name) + " '" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") +
+                     "' is too large: " + error.what());
+  }
+  if (result.reading.language.is_empty())
+    result.reading.warnings.push_back(
+        diagnose(name, text, 0, text.size(), "no path matches this in " + std::string(facts_of_dialect.title),
+                 "a path has both its ends, the eye " + std::string(1, facts_of_dialect.eyes[0]) + " and a light"));
+  return result;
+}
+
+Reading read_expression(std::string_view text, Dialect dialect, const Names& names, std::string_view source) {
+  return read_with_tree(text, dialect, names, source).reading;
+}
+
+}  // namespace heckbert::taxonomy

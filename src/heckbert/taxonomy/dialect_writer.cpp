@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <utility>
+
+#include <heckbert/taxonomy/dialect_letters.h>
+#include <heckbert/taxonomy/dialect_printer.h>
+#include <heckbert/taxonomy/dialect_reader.h>
+#include <heckbert/taxonomy/explain.h>
+#include <heckbert/taxonomy/regular_expression.h>
+#include <heckbert/taxonomy/tree_language.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+// ---- what a dialect cannot say
+// ---------------------------------------------------------------------------------------
+
+/// The finest things a dialect can say, each a set of symbols; whatever it says is a union of them.
+std::vector<SymbolSet> items_of(const DialectFacts& dialect) {
+  std::vector<SymbolSet> items{with_letter('V')};
+  if (!dialect.has_groups) {
+    for (const SymbolFacts& f : kSymbols) items.push_back(single(f.symbol));
+    return items;
+  }
+  items.push_back(kEyes);
+  for (const LightLetter& light : dialect.lights) items.push_back(symbols_of(light));
+  for (const KindLetter& kind : dialect.kinds)
+    for (const char mode : {'r', 't'}) items.push_back(symbols_of(kind) & with_mode(mode));
+  return items;
+}
+
+/// Every item that has a has b too.
+bool implies(const std::vector<SymbolSet>& items, Symbol a, Symbol b) {
+  return std::all_of(items.begin(), items.end(), [&](SymbolSet item) { return !has(item, a) || has(item, b); });
+}
+
+std::array<Symbol, kSymbolCount> mapping(Symbol from, Symbol to) {
+  std::array<Symbol, kSymbolCount> h;
+  for (const SymbolFacts& f : kSymbols) h[index(f.symbol)] = f.symbol;
+  h[index(from)] = to;
+  return h;
+}
+
+Word mapped(Word word, Symbol from, Symbol to) {
+  if (word.light == from) word.light = to;
+  if (word.eye == from) word.eye = to;
+  std::replace(word.events.begin(), word.events.end(), from, to);
+  return word;
+}
+
+std::string why_not(const Language& language, const DialectFacts& dialect) {
+  const std::vector<SymbolSet> items = items_of(dialect);
+  const std::string title(dialect.title);
+  for (const SymbolFacts& a : kSymbols)
+    for (const SymbolFacts& b : kSymbols) {
+      if (a.symbol == b.symbol || a.role != b.role || !implies(items, a.symbol, b.symbol)) continue;
+      const Language with_b = inverse_image(language, mapping(a.symbol, b.symbol));
+      const bool alike = implies(items, b.symbol, a.symbol);
+      std::optional<Word> word = witness_outside(language, with_b);
+      const bool is_in = word.has_value();
+      if (!word && alike) word = witness_outside(with_b, language);
+      if (!word) continue;
+      const std::string one = fine(*word), other = fine(mapped(*word, a.symbol, b.symbol));
+      return (is_in ? one : other) + " is in it and " + (is_in ? other : one) + " is not, and " + title +
+             (alike ? " cannot tell " : " cannot say ") + name(a.symbol) + (alike ? " from " : " without ") +
+             name(b.symbol);
+    }
+  return "";
+}
+
+// ---- writing
+// ---------------------------------------------------------------------------------------------------------
+
+std::string empty_text(const DialectFacts& dialect) {
+  const std::string path = dialect.orientation == Orientation::Either ? "LE" : "CL";
+  return path + "-" + path;
+}
+
+/// `tree` from light to eye in the dialect, when it is read there as exactly the language.
+std::optional<std::string> checked(const Node& tree, const Language& language, Dialect dialect) {
+  const bool from_eye = facts(dialect).orientation == Orientation::CameraFirst;
+  const auto text = print(from_eye ? reversed(tree) : tree, facts(dialect));
+  if (!text) return std::nullopt;
+  try {
+    if (read_expression(*text, dialect).language == language) return text;
+  } catch (const InputError&) {
+    // '.' of a dialect that counts the ends among its events, say; the automaton knows better.
+  }
+  return std::nullopt;
+}
+
+Writing write(const Language& language, const std::optional<Node>& tree, Dialect dialect) {
+  const DialectFacts& target = facts(dialect);
+  const std::string title(target.title);
+  if (language.is_empty()) {
+    if (target.has_whole_operators) return {empty_text(target), ""};
+    return {"", "no path is in it, and " + title + " has no expression for that"};
+  }
+  if (tree)
+    if (auto text = checked(*tree, language, dialect)) return {std::move(*text), ""};
+  if (std::string reason = why_not(language, target); !reason.empty()) return {"", std::move(reason)};
+  // Eliminated from the side where the dialect's letters for lights can differ.
+  if (const auto made = regular_expression(reverse(language)))
+    if (auto text = checked(reversed(*made), language, dialect)) return {std::move(*text), ""};
+  return {"", "an expression of " + title + " for it would be longer than anybody reads"};
+}
+
+}  // namespace
+
+Writing write_expression(const Language& language, Dialect dialect) {
+  return write(language, std::nullopt, dialect);
+}
+
+Translation translate(std::string_view text, Dialect from, Dialect to, const Names& names, std::string_view source) {
+  ReadingWithTree read = read_with_tree(text, from, names, source);
+  Translation result;
+  result.writing = write(read.reading.language, read.tree, to);
+  result.reading = std::move(read.reading);
+  try {
+    const Language there = read_expression(text, to, names, source).language;
+    const auto here_only = witness_outside(result.reading.language, there);
+    const auto there_only = witness_outside(there, result.reading.language);
+    result.only_in_from = here_only && (!there_only || *here_only < *there_only);
+    result.differs_on = result.only_in_from ? here_only : there_only;
+  } catch (const InputError&) {
+    // The text is no expression of the other dialect, so nobody mistakes it for one.
+  }
+
+  std::string prefixes;
+  const std::string_view known = facts(to).prefixes;
+  for (const std::string& prefix : result.reading.prefixes) {
+    const bool exists = (" " + std::string(known) + " ").find(" " + prefix + " ") != std::string::npos;
+    // "lpe:" only says that an expression follows.
+    if (exists)
+      prefixes += prefix + (prefix == "lpe" ? ":" : ";");
+    else if (prefix != "lpe")
+      result.writing = {"", std::string(facts(to).title) + " has no prefix '" + prefix + "'"};
+  }
+  if (!result.writing.text.empty()) result.writing.text.insert(0, prefixes);
+  return result;
+}
+
+}  // namespace heckbert::taxonomy
