@@ -26,6 +26,13 @@ const std::vector<std::vector<std::string>> kPages{{},
                                                    {"grammar", "show"},
                                                    {"grammar", "equal"},
                                                    {"grammar", "subset"},
+                                                   {"grammar", "disjoint"},
+                                                   {"grammar", "partition"},
+                                                   {"grammar", "words"},
+                                                   {"grammar", "count"},
+                                                   {"grammar", "identify"},
+                                                   {"grammar", "explain"},
+                                                   {"grammar", "dot"},
                                                    {"scene", "list"},
                                                    {"scene", "check"}};
 
@@ -124,6 +131,14 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       {"grammar", "show", "whitted", "--json"},
       {"grammar", "equal", "LDE", "LSE", "--json"},
       {"grammar", "subset", "LDE", "LSE", "--json"},
+      {"grammar", "disjoint", "LDE", "L.E", "--json"},
+      {"grammar", "partition", "LDE", "L.E", "--json"},
+      {"grammar", "words", "LDE", "--json"},
+      {"grammar", "count", "LDE", "--json"},
+      {"grammar", "identify", "LNS*E", "--json"},
+      {"grammar", "identify", "LD?S?E", "--json"},
+      {"grammar", "explain", "LDE", "LSE", "--json"},
+      {"grammar", "dot", "LDE", "--json"},
       {"scene", "list", "--json"},
       {"scene", "check", room, "--json"}};
   std::map<std::string, Keys> written;
@@ -133,7 +148,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
     ASSERT_TRUE(document.is_object()) << command[0] << outcome.err;
     collect(document, "", written[document["schema"].get<std::string>()]);
   }
-  ASSERT_EQ(written.size(), 11u);
+  ASSERT_EQ(written.size(), 18u);
   const std::map<std::string, Keys> sections = tables();
   for (const auto& [schema, keys] : written) {
     ASSERT_TRUE(sections.contains(schema)) << schema << " has no section in docs/json.md";

@@ -13,10 +13,25 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::vector<std::vector<std::string>> kCommands{{"render"},           {"coverage"},        {"query"},
-                                                      {"classify"},         {"report"},          {"match"},
-                                                      {"grammar", "list"},  {"grammar", "show"}, {"scene", "list"},
-                                                      {"grammar", "equal"}, {"scene", "check"},  {"grammar", "subset"}};
+const std::vector<std::vector<std::string>> kCommands{{"render"},
+                                                      {"coverage"},
+                                                      {"query"},
+                                                      {"classify"},
+                                                      {"report"},
+                                                      {"match"},
+                                                      {"grammar", "list"},
+                                                      {"grammar", "show"},
+                                                      {"scene", "list"},
+                                                      {"grammar", "equal"},
+                                                      {"scene", "check"},
+                                                      {"grammar", "subset"},
+                                                      {"grammar", "disjoint"},
+                                                      {"grammar", "partition"},
+                                                      {"grammar", "words"},
+                                                      {"grammar", "count"},
+                                                      {"grammar", "identify"},
+                                                      {"grammar", "explain"},
+                                                      {"grammar", "dot"}};
 
 TEST(Help, EveryCommandHasExamplesAndJson) {
   for (std::vector<std::string> command : kCommands) {

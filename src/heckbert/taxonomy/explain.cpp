@@ -1,5 +1,7 @@
 #include <heckbert/taxonomy/explain.h>
 
+#include <heckbert/taxonomy/live.h>
+
 namespace heckbert::taxonomy {
 
 namespace {
@@ -12,32 +14,28 @@ std::vector<Symbol> letters_of(const Word& word) {
   return letters;
 }
 
-// No string is accepted from a state that only leads to itself and does not accept.
-bool is_dead(const Language& language, StateId q) {
-  const State& state = language.states()[q];
-  for (const StateId to : state.next)
-    if (to != q) return false;
-  return !state.accepting;
-}
-
 }  // namespace
 
-Explanation explain(const Language& language, const Word& word) {
-  Explanation result;
+std::vector<Step> trace(const Language& language, const Word& word) {
+  std::vector<Step> steps;
   StateId q = 0;
   for (const Symbol s : letters_of(word)) {
     const StateId next = language.states()[q].next[index(s)];
+    steps.push_back({q, going_on(language, q), s, next});
     if (is_dead(language, next)) {
-      result.culprit = s;
-      for (const SymbolFacts& f : kSymbols)
-        if (!is_dead(language, language.states()[q].next[index(f.symbol)])) result.expected |= single(f.symbol);
-      return result;
+      steps.back().to.reset();
+      break;
     }
     q = next;
-    ++result.letters_read;
   }
-  result.matches = language.states()[q].accepting;
-  return result;
+  return steps;
+}
+
+Explanation explain(const Language& language, const Word& word) {
+  const std::vector<Step> steps = trace(language, word);
+  const Step& last = steps.back();
+  if (!last.to) return {false, steps.size() - 1, last.letter, last.expected};
+  return {language.states()[*last.to].accepting, steps.size(), std::nullopt, 0};
 }
 
 std::string describe(const Explanation& explanation, const Word& word) {

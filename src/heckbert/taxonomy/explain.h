@@ -2,6 +2,7 @@
 // Why a word is in a language or not, and where two languages differ: every no comes with its evidence.
 
 #include <optional>
+#include <vector>
 
 #include <heckbert/taxonomy/language.h>
 #include <heckbert/taxonomy/symbol_set.h>
@@ -21,6 +22,17 @@ Explanation explain(const Language& language, const Word& word);
 
 /// "LDGE: after LD expected S or E, not G", or "LDSE matches", for people.
 std::string describe(const Explanation& explanation, const Word& word);
+
+/// One letter of a walk through the minimal automaton.
+struct Step {
+  StateId from = 0;
+  SymbolSet expected = 0;  ///< the letters with which members go on from there
+  Symbol letter = Symbol::La;
+  std::optional<StateId> to;  ///< nothing when no member goes on with this letter
+};
+
+/// The walk of the word, state by state, up to and with the first letter that no member has.
+std::vector<Step> trace(const Language& language, const Word& word);
 
 /// The shortest word of a that b lacks; nothing when a is a subset of b.
 std::optional<Word> witness_outside(const Language& a, const Language& b);

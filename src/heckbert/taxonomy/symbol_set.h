@@ -45,6 +45,10 @@ std::vector<Symbol> members(SymbolSet set);
 /// "Sr", "V": the symbol as it is written.
 std::string name(Symbol s);
 
+/// The set as an expression writes it, in as few characters as it can: "S", "X", "[DV]", "[^S]", "[LaLe]". The set is
+/// not empty.
+std::string write(SymbolSet set);
+
 /// "D, Sr or E" for people: letters whose every subscript is in the set are named without one.
 std::string describe(SymbolSet set);
 

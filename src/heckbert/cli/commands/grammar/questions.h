@@ -13,5 +13,12 @@ void add_grammar_list(CLI::App& family, Run& chosen);
 void add_grammar_show(CLI::App& family, Run& chosen);
 void add_grammar_equal(CLI::App& family, Run& chosen);
 void add_grammar_subset(CLI::App& family, Run& chosen);
+void add_grammar_disjoint(CLI::App& family, Run& chosen);
+void add_grammar_partition(CLI::App& family, Run& chosen);
+void add_grammar_words(CLI::App& family, Run& chosen);
+void add_grammar_count(CLI::App& family, Run& chosen);
+void add_grammar_identify(CLI::App& family, Run& chosen);
+void add_grammar_explain(CLI::App& family, Run& chosen);
+void add_grammar_dot(CLI::App& family, Run& chosen);
 
 }  // namespace heckbert::cli

@@ -1,0 +1,37 @@
+#include <heckbert/taxonomy/dot.h>
+
+#include <map>
+
+#include <heckbert/taxonomy/live.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+std::string dot(const Language& language, std::string_view title) {
+  const std::vector<State>& states = language.states();
+  std::string text = "digraph {\n  label=" + quoted(title) +
+                     ";\n  rankdir=LR;\n  node [shape=circle];\n  start [shape=point];\n  start -> 0;\n";
+  for (StateId q = 0; q < states.size(); ++q) {
+    if (is_dead(language, q) && q != 0) continue;
+    text += "  " + std::to_string(q) + (states[q].accepting ? " [shape=doublecircle];\n" : ";\n");
+    std::map<StateId, SymbolSet> edges;
+    for (const Symbol s : members(going_on(language, q))) edges[states[q].next[index(s)]] |= single(s);
+    for (const auto& [to, set] : edges)
+      text += "  " + std::to_string(q) + " -> " + std::to_string(to) + " [label=" + quoted(write(set)) + "];\n";
+  }
+  return text + "}\n";
+}
+
+}  // namespace heckbert::taxonomy

@@ -1,0 +1,129 @@
+// Questions about languages, as a user asks them: the answer, its exit code, and what goes to standard error.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/run.h"
+
+namespace heckbert::cli::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Question {
+  std::vector<std::string> arguments;  ///< after "grammar"
+  int exit_code;
+  std::string out;  ///< all of standard output
+  std::string err{};
+};
+
+void expect(const std::vector<Question>& questions) {
+  for (const Question& question : questions) {
+    std::vector<std::string> command{"grammar"};
+    command.insert(command.end(), question.arguments.begin(), question.arguments.end());
+    const Outcome outcome = run(command);
+    const std::string name = ::testing::PrintToString(question.arguments);
+    EXPECT_EQ(outcome.exit_code, question.exit_code) << name << outcome.err;
+    EXPECT_EQ(outcome.out, question.out) << name;
+    EXPECT_EQ(outcome.err, question.err) << name;
+  }
+}
+
+TEST(GrammarPartition, AnswersWithOverlapsAndTheGap) {
+  expect({
+      {{"disjoint", "LDE", "LSE"}, 0, "yes\n"},
+      {{"disjoint", "LDE", "LSE", "L.E"}, 1, "no\nLDE is in both LDE and L.E\nLSE is in both LSE and L.E\n"},
+      {{"disjoint", "LDE", "LGE", "--glossy", "diffuse"},
+       0,
+       "yes\n",
+       "'LGE' can never match, because it has no word at all\n"},
+      {{"partition", "emission", "@direct", "indirect"}, 0, "yes\n"},
+      {{"partition", "LE", "LDE", "L.E"}, 1, "no\nLDE is in both LDE and L.E\nLDDE is in none\n"},
+      {{"partition", "LE", "LDX*E", "L[^D].*E"}, 1, "no\nLDVE is in none\n"},
+      {{"partition", "LE", "LDX*E", "L[^D].*E", "--letters", "D,G,S"}, 0, "yes\n"},
+      {{"partition", "LDE", "LDDE", "--within", "radiosity", "--lights", "Lp", "--max-depth", "2"}, 0, "yes\n"},
+      {{"partition", "LDE", "--within", "LDE & LSE"},
+       0,
+       "yes\n",
+       "'LDE & LSE' can never match, because it has no word at all\n"},
+  });
+}
+
+TEST(GrammarWords, AreListedShortestFirst) {
+  expect({
+      {{"words", "LS+DE", "--plain", "--max-depth", "4"}, 0, "LSDE\nLSSDE\nLSSSDE\n"},
+      {{"words", "LD*E", "--plain", "--count", "2"}, 0, "LE\nLDE\n", "there are more than 2\n"},
+      {{"words", "LSDE", "--lights", "Lp", "--eye", "Ep", "--letters", "Dr,S"}, 0, "LpSrDrEp\nLpStDrEp\n"},
+      {{"words", "LD{3}E", "--max-depth", "2"},
+       0,
+       "",
+       "'LD{3}E' can never match, because the shortest of its words, LDDDE, has 3 scatterings, and the depth allows "
+       "2\n"},
+      {{"words", "LDE", "--letters", "Q"},
+       2,
+       "",
+       "heckbert: error: --letters: 'Q' is none of D, Dr, Dt, G, Gr, Gt, S, Sr, St, V\n"},
+  });
+}
+
+TEST(GrammarCount, HasATableAndAGeneratingFunction) {
+  expect({
+      {{"count", "L(S?D)*S*E", "--letters", "D,S", "--max-depth", "3"},
+       0,
+       "Scatterings  Words\n          0      1\n          1      2\n          2      4\n          3      7\n\n"
+       "Generating function: 1 / (1 - 2 x + x^3)\n"},
+      {{"count", "path-tracing", "--lights", "Lp", "--max-depth", "1"},
+       0,
+       "Scatterings  Words\n          0      0\n          1      4\n\nGenerating function: 4 x / (1 - 6 x)\n"},
+      {{"count", "LDE", "--letters", "D,Dr"},
+       2,
+       "",
+       "heckbert: error: --letters: two of 'D,Dr' stand for the same events\n"},
+  });
+}
+
+TEST(GrammarIdentify, NamesTheGrammarOrItsNeighbours) {
+  expect({
+      {{"identify", "LNS*E"}, 0, "Whitted's recursive ray tracing, with lights that cannot be hit (whitted)\n"},
+      {{"identify", "LD?S?E"},
+       1,
+       "no known grammar\n"
+       "part of The lecture's recursive ray tracer, with lights that can be hit (lecture), which also has LSSE\n"
+       "more than Emission, lights seen directly (emission), which lacks LDE\n"},
+  });
+}
+
+TEST(GrammarExplain, WalksStateByState) {
+  expect({
+      {{"explain", "LD?S*E", "LSDE"},
+       1,
+       "State  Expected   Letter  Goes to\n"
+       "0      L          La      1\n"
+       "1      D, S or E  Sr      3\n"
+       "3      S or E     Dr      nowhere\n\n"
+       "LSDE: after LS expected S or E, not D\n"},
+      {{"explain", "whitted", "LE"},
+       0,
+       "State  Expected      Letter  Goes to\n"
+       "0      L             La      1\n"
+       "1      D, G, S or E  Ep      5\n\n"
+       "LE matches\n"},
+  });
+}
+
+TEST(GrammarDot, IsADigraph) {
+  const Outcome outcome = run({"grammar", "dot", "LDE"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("digraph {\n  label=\"LDE\";"));
+  EXPECT_THAT(outcome.out, HasSubstr("[label=\"D\"];"));
+}
+
+TEST(Match, SaysWhenNothingCanEverMatch) {
+  const Outcome outcome = run({"match", "LDE & LSE", "LDE"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "no  LDE\n");
+  EXPECT_EQ(outcome.err, "'LDE & LSE' can never match, because it has no word at all\n");
+}
+
+}  // namespace
+}  // namespace heckbert::cli::testing
