@@ -26,7 +26,7 @@ TEST(LectureScene, HasTheWordsOfTheBlackboardAndTheReportNamesThem) {
     const auto share = record::share(record, record::members(record, taxonomy::compile(word)), all);
     EXPECT_GT(share.lower, 0.0) << word;
   }
-  const report::Coverage coverage = report::coverage(record, taxonomy::builtin_grammars().grammars);
+  const report::Coverage coverage = report::coverage(record, taxonomy::core_algorithms(taxonomy::builtin_grammars()));
   const std::string page = report::html(record, coverage);
   for (const char* word : {"LDDE", "LSSE"}) EXPECT_NE(page.find(word), std::string::npos) << word;
 }
@@ -54,7 +54,7 @@ TEST(BuiltinScenes, ArePicturesThatEqualTheSumOfTheirWords) {
   }
 }
 
-// A2 of the taxonomy on the furnace that ships with the tool: albedos one half and three tenths.
+// A2 of docs/anchors.md on the furnace that ships with the tool: albedos one half and three tenths.
 TEST(FurnaceScene, GivesEveryGrammarItsClosedForm) {
   const record::Record record = rendered("furnace", 96);
   const auto all = std::vector<bool>(record.words.size(), true);

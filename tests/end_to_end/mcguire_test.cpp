@@ -40,7 +40,7 @@ TEST_P(McGuireBox, RendersClassifiesAndReports) {
   EXPECT_GT(total, 0.01);
   EXPECT_GT(energy(record, "LDE"), 0.1 * total);
 
-  const report::Coverage coverage = report::coverage(record, taxonomy::builtin_grammars().grammars);
+  const report::Coverage coverage = report::coverage(record, taxonomy::core_algorithms(taxonomy::builtin_grammars()));
   double previous = 0;
   for (const char* nested : {"ray-casting", "whitted", "path-tracing", "global-illumination"})
     for (const report::GrammarCoverage& grammar : coverage.grammars)

@@ -1,4 +1,4 @@
-// The anchors A1, A3, A4 and A8 of the taxonomy, class by class: scenes whose every word has a known value.
+// The anchors A1, A3, A4 and A8 of docs/anchors.md, class by class: scenes whose every word has a known value.
 
 #include <numbers>
 

@@ -1,7 +1,7 @@
 #pragma once
 // How much of a language lies at each length. With weight 1 for some letters and 0 for the others this counts words;
 // with the albedos of a furnace (a closed box whose every surface emits 1 and reflects diffusely and specularly) it is
-// the energy that the language captures, its generating function cut by length (taxonomy notes A2).
+// the energy that the language captures, its generating function cut by length (A2 of docs/anchors.md).
 
 #include <array>
 #include <vector>
