@@ -26,6 +26,7 @@ const std::vector<std::vector<std::string>> kPages{{},
                                                    {"grammar", "show"},
                                                    {"grammar", "equal"},
                                                    {"grammar", "subset"},
+                                                   {"grammar", "translate"},
                                                    {"grammar", "disjoint"},
                                                    {"grammar", "partition"},
                                                    {"grammar", "words"},
@@ -131,6 +132,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       {"grammar", "show", "whitted", "--json"},
       {"grammar", "equal", "LDE", "LSE", "--json"},
       {"grammar", "subset", "LDE", "LSE", "--json"},
+      {"grammar", "translate", "unoccluded;CD|DL", "--from", "renderman", "--to", "karma", "--json"},
       {"grammar", "disjoint", "LDE", "L.E", "--json"},
       {"grammar", "partition", "LDE", "L.E", "--json"},
       {"grammar", "words", "LDE", "--json"},
@@ -148,7 +150,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
     ASSERT_TRUE(document.is_object()) << command[0] << outcome.err;
     collect(document, "", written[document["schema"].get<std::string>()]);
   }
-  ASSERT_EQ(written.size(), 18u);
+  ASSERT_EQ(written.size(), 19u);
   const std::map<std::string, Keys> sections = tables();
   for (const auto& [schema, keys] : written) {
     ASSERT_TRUE(sections.contains(schema)) << schema << " has no section in docs/json.md";

@@ -13,6 +13,7 @@ void add_grammar_list(CLI::App& family, Run& chosen);
 void add_grammar_show(CLI::App& family, Run& chosen);
 void add_grammar_equal(CLI::App& family, Run& chosen);
 void add_grammar_subset(CLI::App& family, Run& chosen);
+void add_grammar_translate(CLI::App& family, Run& chosen);
 void add_grammar_disjoint(CLI::App& family, Run& chosen);
 void add_grammar_partition(CLI::App& family, Run& chosen);
 void add_grammar_words(CLI::App& family, Run& chosen);
