@@ -26,8 +26,8 @@ int main(int argc, char** argv) try {
     const auto share = record::share(record, record::members(record, language), everything);
     std::printf("%-38s %5.1f %% +- %.1f\n", what, 100 * share.mean, 50 * (share.upper - share.lower));
   };
-  for (const taxonomy::Grammar& grammar : taxonomy::builtin_grammars().grammars)
-    if (grammar.kind == taxonomy::GrammarKind::Algorithm) print_share(grammar.title.c_str(), grammar.language);
+  for (const taxonomy::Grammar& grammar : taxonomy::core_algorithms(taxonomy::builtin_grammars()))
+    print_share(grammar.title.c_str(), grammar.language);
   print_share("two diffuse bounces, LDDE", taxonomy::compile("LDDE"));
 
   // The picture of a language is a sum over the words it contains.

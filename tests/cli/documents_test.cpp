@@ -123,7 +123,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
   const std::vector<std::vector<std::string>> commands{
       {"render", room, "--record", record, "--size", "16x16", "--spp", "4", "--lpe", "LE", "--json"},
       {"render", "lecture", "--record", record, "--size", "16x16", "--spp", "4", "--json"},
-      {"coverage", record, "--json"},
+      {"coverage", record, "--grammar", "all", "--json"},
       {"query", record, "LDE", "--json"},
       {"classify", record, "--json"},
       {"report", record, "-o", (folder / "a.html").string(), "--json"},

@@ -89,7 +89,7 @@ TEST(GrammarIdentify, NamesTheGrammarOrItsNeighbours) {
        1,
        "no known grammar\n"
        "part of The lecture's recursive ray tracer, with lights that can be hit (lecture), which also has LSSE\n"
-       "more than Emission, lights seen directly (emission), which lacks LDE\n"},
+       "more than Visible emitters, with lights that can be hit (emitter-visibility), which lacks LDE\n"},
   });
 }
 

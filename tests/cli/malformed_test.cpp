@@ -182,6 +182,10 @@ std::vector<Malformed> expressions() {
       match("*LDE", {"EXPR:1:1: error: "}),
       match("LQE | LZE", {"EXPR:1:2: error: unknown letter 'Q'", "EXPR:1:8: error: unknown letter 'Z'"}),
       match("@whited", {"EXPR:1:2: error: there is no grammar or class 'whited'", "did you mean 'whitted'?"}),
+      match("@metropolis", {"EXPR:1:1: error: 'metropolis' is a transformer and has no language", "its host is",
+                            "'heckbert grammar show metropolis' says what it is"}),
+      match("ambient-occlusion", {"EXPR:1:1: error: 'ambient-occlusion' is a proxy and has no language"}),
+      match("LDE | @metropolis", {"EXPR:1:7: error: 'metropolis' is a transformer and has no language"}),
       match("whited", {"EXPR:1:1: error: there is no grammar or class 'whited'", "did you mean 'whitted'?"}),
       match("LD\xff"
             "E",
@@ -216,6 +220,8 @@ std::vector<Malformed> grammar_files() {
       show("expression of a grammar", head + "expression: L(D|E\n", {"g.grammar:6:14: error: '(' is never closed"}),
       show("unknown name in a grammar", head + "expression: @mien\n", {"g.grammar:6:", "mien"}),
       show("unknown kind", "kind: clas\n" + head.substr(12) + "expression: LDE\n", {"g.grammar:1:7: error: "}),
+      show("key of another kind", head + "expression: LDE\ncore: yes\n",
+           {"g.grammar:7:1: error: the key 'core' does not belong to kind class"}),
       show("key twice", head + "name: again\nexpression: LDE\n", {"g.grammar:6:1: error: "}),
       {"missing grammar", {"coverage", "a.exr", "--grammar", "g.grammar"}, 3, {"g.grammar: No such file or directory"}},
   };

@@ -110,6 +110,32 @@ TEST_F(Streams, CoverageTellsOfTheGrammarsAskedFor) {
   EXPECT_GT(grammars[1]["share"]["mean"].get<double>(), 0.01);
 }
 
+TEST_F(Streams, TheTeachingSetIsShownUnlessAllAreAskedFor) {
+  ASSERT_EQ(run(render()).exit_code, 0);
+  const auto coverage = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"coverage", record_, "--json"});
+    return nlohmann::json::parse(run(more).out);
+  };
+  const auto core = coverage({}), all = coverage({"--grammar", "all", "--grammar", "LS.*E"});
+  ASSERT_EQ(core["grammars"].size(), 7u);
+  EXPECT_EQ(core["grammars"][0]["name"], "ray-casting");
+  EXPECT_EQ(core["grammars"][6]["name"], "global-illumination");
+  EXPECT_TRUE(core["left_out"].empty());
+  ASSERT_EQ(all["grammars"].size(), 31u + 1);
+  EXPECT_EQ(all["left_out"].size(), 7u);
+  EXPECT_EQ(all["grammars"][31]["expression"], "LS.*E");
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(all["grammars"][i], core["grammars"][i]);
+
+  const Outcome text = run({"coverage", record_, "--grammar", "all"});
+  EXPECT_THAT(text.out, HasSubstr("'ambient-occlusion' is a proxy and has no language"));
+  EXPECT_EQ(nlohmann::json::parse(run({"classify", record_, "--by", "algorithm", "--json"}).out)["groups"].size(), 7u);
+
+  const std::string page = (folder_ / "a.html").string();
+  ASSERT_EQ(run({"report", record_, "-o", page, "--grammar", "photon-mapping"}).exit_code, 0);
+  EXPECT_THAT(read_bytes(page), HasSubstr("id=\"algorithm-photon-mapping\""));
+  EXPECT_THAT(read_bytes(page), ::testing::Not(HasSubstr("id=\"algorithm-whitted\"")));
+}
+
 TEST_F(Streams, AFullDiskBehindStandardOutputIsAnError) {
   const Outcome outcome = run({"grammar", "list"}, {.full_output = true});
   EXPECT_EQ(outcome.exit_code, 5);

@@ -123,7 +123,8 @@ TEST(Html, ShowsEveryGrammarWithItsWords) {
     EXPECT_THAT(article, HasSubstr(escaped(grammar.title)));
     EXPECT_THAT(article, HasSubstr(escaped(grammar.expression)));
     EXPECT_THAT(article, HasSubstr(escaped(grammar.source)));
-    for (const std::string& bias : grammar.biases) EXPECT_THAT(article, HasSubstr(escaped(bias)));
+    for (const auto* cautions : {&grammar.biases, &grammar.variances, &grammar.preconditions})
+      for (const std::string& caution : *cautions) EXPECT_THAT(article, HasSubstr(escaped(caution)));
     for (const auto* words : {&grammar.top_captured, &grammar.top_missed})
       for (const WordEnergy& word : *words) EXPECT_THAT(article, HasSubstr("<code>" + word.word + "</code>"));
     EXPECT_EQ(count_of(article, "<img "), 2u) << "captured and missed";

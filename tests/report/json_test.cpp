@@ -96,10 +96,16 @@ taxonomy::GrammarLibrary library() {
   return result;
 }
 
+std::vector<taxonomy::Grammar> grammars_and_a_proxy() {
+  std::vector<taxonomy::Grammar> grammars = test::four_grammars();
+  grammars.insert(grammars.begin() + 1, test::proxy());
+  return grammars;
+}
+
 std::map<std::string, std::string> documents() {
   const record::Record record = test::lecture_like_record(4, 4);
   const ClassifyOptions options;
-  return {{"heckbert.coverage", coverage_json(coverage(record, test::four_grammars()))},
+  return {{"heckbert.coverage", coverage_json(coverage(record, grammars_and_a_proxy()))},
           {"heckbert.classify",
            groups_json(classify(record, GroupBy::Length, library(), options), GroupBy::Length, record.info, options)},
           {"heckbert.grammars", grammar_list_json(library())},
@@ -129,6 +135,11 @@ TEST(Json, CoverageHoldsTheNumbersOfTheData) {
     EXPECT_EQ(json["grammars"][i]["share"]["lower"].get<double>(), data.grammars[i].share.lower);
     EXPECT_EQ(json["grammars"][i]["top_missed"].size(), data.grammars[i].top_missed.size());
   }
+  EXPECT_TRUE(json["left_out"].empty());
+  const Json with_proxy = Json::parse(coverage_json(coverage(test::lecture_like_record(4, 4), grammars_and_a_proxy())));
+  EXPECT_EQ(with_proxy["grammars"], json["grammars"]);
+  ASSERT_EQ(with_proxy["left_out"].size(), 1u);
+  EXPECT_EQ(with_proxy["left_out"][0]["name"], "occlusion");
   ASSERT_EQ(json["words"].size(), data.words.size());
   EXPECT_EQ(json["words"][0]["word"], data.words[0].word);
   EXPECT_EQ(json["words"][0]["count"], data.words[0].count);

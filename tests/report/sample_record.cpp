@@ -106,9 +106,20 @@ std::vector<taxonomy::Grammar> four_grammars() {
   };
   grammars[1].source = "Goral et al., 1984";
   grammars[1].biases = {"patches give LDDE a wrong value"};
+  grammars[1].variances = {"hemicubes alias small lamps"};
+  grammars[1].preconditions = {"every surface is diffuse"};
   grammars[2].expression_delta = "LDS*E";
   grammars[3].expression_delta = grammars[3].expression;
   return grammars;
+}
+
+taxonomy::Grammar proxy() {
+  taxonomy::Grammar grammar;
+  grammar.kind = taxonomy::GrammarKind::Proxy;
+  grammar.name = "occlusion";
+  grammar.title = "Occlusion";
+  grammar.source = "the sample";
+  return grammar;
 }
 
 }  // namespace heckbert::report::test

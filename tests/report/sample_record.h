@@ -29,4 +29,7 @@ taxonomy::Grammar grammar_of(const std::string& name, const std::string& title, 
 /// Ray casting, radiosity, recursive ray tracing, global illumination.
 std::vector<taxonomy::Grammar> four_grammars();
 
+/// What has no language.
+taxonomy::Grammar proxy();
+
 }  // namespace heckbert::report::test

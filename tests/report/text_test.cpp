@@ -126,6 +126,14 @@ TEST(CoverageText, NamesLightThatNoPathCarriesWhereThereIsAny) {
   EXPECT_THAT(coverage_text(coverage(record, {})), HasSubstr("ambient term 0.25, phantom mirror 0"));
 }
 
+TEST(CoverageText, SaysWhatIsLeftOutAndWhy) {
+  const record::Record record = test::lecture_like_record(4, 4);
+  EXPECT_THAT(coverage_text(coverage(record, test::four_grammars())), Not(HasSubstr("Left out")));
+  const Coverage data = coverage(record, {test::proxy()});
+  EXPECT_TRUE(data.grammars.empty());
+  EXPECT_THAT(coverage_text(data), HasSubstr("Left out:\n  'occlusion' is a proxy and has no language: it lights"));
+}
+
 TEST(CoverageText, WarnsOfAnInterruptedRender) {
   record::Record record = test::lecture_like_record(4, 4);
   EXPECT_THAT(coverage_text(coverage(record, {})), Not(HasSubstr("Warning")));
@@ -168,19 +176,50 @@ TEST(GrammarText, ShowsAllThatTheFileSays) {
   grammar.notes = "a note";
   grammar.expression_delta = "LD+E";
   const std::string text = grammar_text(grammar);
-  for (const std::string& piece : {grammar.title, grammar.name, grammar.expression, grammar.expression_delta,
-                                   grammar.source, grammar.biases[0], grammar.notes, std::string("LE")})
+  for (const std::string& piece :
+       {grammar.title, grammar.name, grammar.expression, grammar.expression_delta, grammar.source, grammar.biases[0],
+        grammar.variances[0], grammar.preconditions[0], grammar.notes, std::string("LE")})
     EXPECT_THAT(text, HasSubstr(piece));
+  EXPECT_THAT(text, Not(HasSubstr("Number")));
+  grammar.number = 8;
+  EXPECT_THAT(grammar_text(grammar), HasSubstr("Number      8\n"));
 }
 
-TEST(GrammarListText, PutsAlgorithmsBeforeClasses) {
+TEST(GrammarText, OfAProxySaysThatItHasNoLanguage) {
+  const std::string text = grammar_text(test::proxy());
+  EXPECT_THAT(text, HasSubstr("Occlusion (proxy occlusion)\n"));
+  EXPECT_THAT(text, HasSubstr("is a proxy and has no language"));
+  for (const char* label : {"Expression", "Automaton", "Shortest"}) EXPECT_THAT(text, Not(HasSubstr(label)));
+}
+
+TEST(GrammarListText, HasSectionsAndALineForEveryGrammar) {
   taxonomy::GrammarLibrary library;
   library.grammars = test::four_grammars();
   library.grammars[0].kind = taxonomy::GrammarKind::Class;
-  const std::string text = grammar_list_text(library);
-  EXPECT_LT(text.find("Radiosity"), text.find("\nClass"));
-  EXPECT_LT(text.find("\nClass"), text.find("Ray casting"));
+  library.grammars[1].is_core = true;
+  library.grammars[2].number = 6;
+  library.grammars[3].expression = "none";
+  library.grammars.push_back(test::proxy());
+  EXPECT_EQ(grammar_list_text(library),
+            "Algorithm            No.  Captures\n"
+            "radiosity                 LD*E\n"
+            "\n"
+            "Further algorithm    No.  Captures\n"
+            "lecture                6  LD?S*E\n"
+            "global-illumination       L(D|G|S|V)*E  (lights that cannot be hit)\n"
+            "\n"
+            "No language          No.  Captures\n"
+            "occlusion                 proxy\n"
+            "\n"
+            "Class                No.  Captures\n"
+            "ray-casting               LD?E\n");
   EXPECT_EQ(grammar_list_text({}), "No grammars.\n");
+}
+
+TEST(GrammarListText, OfAllThatIsShippedFitsTheTerminal) {
+  for (std::size_t width = 60; width <= 120; width += 20)
+    for (const std::string& line : lines(grammar_list_text(taxonomy::builtin_grammars(), {.width = width})))
+      EXPECT_LE(display_width(line), width) << line;
 }
 
 }  // namespace

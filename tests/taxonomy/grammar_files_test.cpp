@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -31,12 +33,38 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 TEST(ShippedGrammars, AreListedInTheOrderOfTeaching) {
-  std::vector<std::string> names;
-  for (const Grammar& g : builtin_grammars().grammars) names.push_back(g.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"ray-casting", "radiosity", "whitted", "lecture", "distribution-ray-tracing",
-                                      "path-tracing", "global-illumination", "emission", "direct", "indirect",
-                                      "caustic-c0", "caustic-c1", "caustic-c2", "caustic", "sds"}));
+  std::vector<std::string> core, classes;
+  for (const Grammar& g : core_algorithms(builtin_grammars())) core.push_back(g.name);
+  EXPECT_EQ(core, (std::vector<std::string>{"ray-casting", "radiosity", "whitted", "lecture",
+                                            "distribution-ray-tracing", "path-tracing", "global-illumination"}));
+  const auto& all = builtin_grammars().grammars;
+  for (std::size_t i = 0; i < core.size(); ++i) EXPECT_EQ(all[i].name, core[i]);  // they stand first
+  for (const Grammar& g : all)
+    if (g.kind == GrammarKind::Class) classes.push_back(g.name);
+  EXPECT_EQ(classes, (std::vector<std::string>{"emission", "direct", "indirect", "caustic-c0", "caustic-c1",
+                                               "caustic-c2", "caustic", "sds"}));
+}
+
+TEST(ShippedGrammars, AreTheThirtyEightRowsOfTheTable) {
+  std::map<int, std::string> rows;
+  std::set<std::string> without;
+  for (const Grammar& g : builtin_grammars().grammars) {
+    if (g.kind == GrammarKind::Class) continue;
+    ASSERT_TRUE(g.number) << g.name;
+    EXPECT_TRUE(rows.emplace(*g.number, g.name).second) << g.name << " and " << rows[*g.number];
+    if (!has_language(g)) without.insert(g.name);
+    if (g.is_core)
+      EXPECT_LT(g.order, 100) << g.name;
+    else
+      EXPECT_EQ(g.order, 100 + *g.number) << g.name;
+  }
+  EXPECT_EQ(rows.size(), 38u);
+  EXPECT_EQ(rows.begin()->first, 1);
+  EXPECT_EQ(rows.rbegin()->first, 38);
+  EXPECT_EQ(rows[5], "whitted");
+  EXPECT_EQ(rows[17], "bidirectional-path-tracing");
+  EXPECT_EQ(without, (std::set<std::string>{"ambient-occlusion", "irradiance-caching", "manifold-next-event",
+                                            "metropolis", "path-guiding", "restir-pt", "screen-space-reflections"}));
 }
 
 TEST(ShippedGrammars, AreTheFilesOfTheDirectory) {
@@ -266,15 +294,30 @@ TEST(GrammarReadme, TableOfPrecedenceMatchesTheParser) {
 }
 
 TEST(GrammarReadme, ListsWhatIsShipped) {
-  std::vector<std::vector<std::string>> rows = table("| algorithm | lights hit | other lights |");
-  for (auto& row : table("| class | expression |")) rows.push_back(std::move(row));
-  ASSERT_EQ(rows.size(), builtin_grammars().grammars.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Grammar& g = builtin_grammars().grammars[i];
-    EXPECT_EQ(code(rows[i][0]), g.name);
-    EXPECT_EQ(code(rows[i][1]), g.expression);
-    EXPECT_EQ(rows[i].size() > 2 ? code(rows[i][2]) : "", g.expression_delta) << g.name;
+  const auto& grammars = builtin_grammars().grammars;
+  std::size_t i = 0;
+  for (const char* header : {"| teaching set | no. | lights hit | other lights |",
+                             "| further algorithm | no. | lights hit | other lights |"})
+    for (const auto& row : table(header)) {
+      const Grammar& g = grammars.at(i++);
+      EXPECT_EQ(code(row[0]), g.name);
+      EXPECT_EQ(row[1], std::to_string(g.number.value_or(0))) << g.name;
+      EXPECT_EQ(code(row[2]), g.expression);
+      EXPECT_EQ(code(row[3]), g.expression_delta) << g.name;
+    }
+  for (const auto& row : table("| no language | no. | kind | host |")) {
+    const Grammar& g = grammars.at(i++);
+    EXPECT_EQ(code(row[0]), g.name);
+    EXPECT_EQ(row[1], std::to_string(g.number.value_or(0))) << g.name;
+    EXPECT_EQ(code(row[2]), facts(g.kind).name) << g.name;
+    EXPECT_EQ(row[3].empty() ? "" : code(row[3]), g.host) << g.name;
   }
+  for (const auto& row : table("| class | expression |")) {
+    const Grammar& g = grammars.at(i++);
+    EXPECT_EQ(code(row[0]), g.name);
+    EXPECT_EQ(code(row[1]), g.expression);
+  }
+  EXPECT_EQ(i, grammars.size());
 }
 
 TEST(GrammarReadme, ExampleFileIsRead) {
@@ -286,6 +329,8 @@ TEST(GrammarReadme, ExampleFileIsRead) {
   EXPECT_EQ(g.name, "final-gathering");
   EXPECT_EQ(g.language, read("[LaLe]D?DS*E | [LpLd]DD?S*E"));
   EXPECT_EQ(g.biases.size(), 1u);
+  EXPECT_EQ(g.variances.size(), 1u);
+  EXPECT_EQ(g.preconditions.size(), 1u);
 }
 
 }  // namespace

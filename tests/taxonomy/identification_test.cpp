@@ -33,7 +33,7 @@ TEST(Identify, SaysForWhichLightsAndLetters) {
   EXPECT_THAT(names_of("LNS*E"), Contains("Whitted's recursive ray tracing, with lights that cannot be hit"));
   EXPECT_THAT(names_of("LN?S*E"), Contains("Whitted's recursive ray tracing, with lights that can be hit"));
   EXPECT_THAT(names_of("LpNS*Ep"), Contains("Whitted's recursive ray tracing, of Lp only, of Ep only"));
-  EXPECT_THAT(names_of("L(D|S)*E"), Contains(HasSubstr("of D or S only")));
+  EXPECT_THAT(names_of("LD(D|S)*E"), Contains(HasSubstr("of D or S only")));
 }
 
 TEST(Identify, NamesTheNearestNeighboursOtherwise) {

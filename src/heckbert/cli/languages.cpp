@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
+#include <heckbert/cli/choice.h>
 #include <heckbert/cli/files.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/expression.h>
@@ -12,6 +14,8 @@ namespace heckbert::cli {
 namespace {
 
 using taxonomy::Grammar;
+
+constexpr std::string_view kAllGrammars = "all";
 
 /// Names begin with a small letter, expressions never do.
 bool looks_like_name(std::string_view text) {
@@ -22,7 +26,7 @@ bool looks_like_name(std::string_view text) {
 Grammar builtin(std::string_view name, std::string_view text, std::string_view what) {
   const taxonomy::GrammarLibrary& library = taxonomy::builtin_grammars();
   if (const Grammar* found = library.find(name)) return *found;
-  const std::string near = nearest(name, library.names().known);
+  const std::string near = nearest(name, names_of(library.grammars));
   throw InputError(diagnose(what, text, text.size() - name.size(), name.size(),
                             "there is no grammar or class '" + std::string(name) + "'",
                             near.empty() ? "'heckbert grammar list' shows all" : "did you mean '" + near + "'?"));
@@ -33,6 +37,18 @@ std::pair<std::string, std::string> split_name(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || text.ends_with(".grammar")) return {"", text};
   return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// Whatever the text means, with a language or without.
+Grammar lookup(const std::string& text, std::string_view what) {
+  if (text.ends_with(".grammar")) return taxonomy::parse_grammar(read_text(text), text, taxonomy::builtin_grammars());
+  if (text.starts_with('@') && looks_like_name(text.substr(1))) return builtin(text.substr(1), text, what);
+  if (looks_like_name(text)) return builtin(text, text, what);
+  Grammar grammar;
+  grammar.kind = taxonomy::GrammarKind::Class;
+  grammar.name = grammar.title = grammar.expression = text;
+  grammar.language = taxonomy::compile(text, taxonomy::builtin_grammars().names(), what);
+  return grammar;
 }
 
 /// Applies `make` to every text, collecting the diagnostics of all that are wrong.
@@ -54,18 +70,32 @@ std::vector<Grammar> collect(const std::vector<std::string>& texts, Make make) {
 }  // namespace
 
 Grammar find_grammar(const std::string& text, std::string_view what) {
-  if (text.ends_with(".grammar")) return taxonomy::parse_grammar(read_text(text), text, taxonomy::builtin_grammars());
-  if (text.starts_with('@') && looks_like_name(text.substr(1))) return builtin(text.substr(1), text, what);
-  if (looks_like_name(text)) return builtin(text, text, what);
-  Grammar grammar;
-  grammar.kind = taxonomy::GrammarKind::Class;
-  grammar.name = grammar.title = grammar.expression = text;
-  grammar.language = taxonomy::compile(text, taxonomy::builtin_grammars().names(), what);
+  Grammar grammar = lookup(text, what);
+  if (!taxonomy::has_language(grammar))
+    throw InputError(diagnose(what, text, 0, text.size(), taxonomy::why_no_language(grammar),
+                              "'heckbert grammar show " + grammar.name + "' says what it is"));
   return grammar;
 }
 
 std::vector<Grammar> find_grammars(const std::vector<std::string>& texts, std::string_view what) {
   return collect(texts, [&](const std::string& text) { return find_grammar(text, what); });
+}
+
+std::vector<Grammar> find_described(const std::vector<std::string>& texts, std::string_view what) {
+  return collect(texts, [&](const std::string& text) { return lookup(text, what); });
+}
+
+std::vector<Grammar> find_to_cover(const std::vector<std::string>& texts, std::string_view what) {
+  if (texts.empty()) return taxonomy::core_algorithms(taxonomy::builtin_grammars());
+  std::vector<std::string> others = texts;
+  const bool all = std::erase(others, kAllGrammars) > 0;
+  std::vector<Grammar> grammars;
+  if (all)
+    std::copy_if(taxonomy::builtin_grammars().grammars.begin(), taxonomy::builtin_grammars().grammars.end(),
+                 std::back_inserter(grammars),
+                 [](const Grammar& grammar) { return grammar.kind != taxonomy::GrammarKind::Class; });
+  for (Grammar& grammar : find_grammars(others, what)) grammars.push_back(std::move(grammar));
+  return grammars;
 }
 
 std::vector<Grammar> find_named_grammars(const std::vector<std::string>& texts, std::string_view what) {
@@ -84,11 +114,11 @@ std::vector<Grammar> find_named_grammars(const std::vector<std::string>& texts, 
   return grammars;
 }
 
-std::vector<Grammar> builtin_grammars_of(taxonomy::GrammarKind kind) {
-  std::vector<Grammar> grammars;
+taxonomy::GrammarLibrary teaching_library() {
+  taxonomy::GrammarLibrary library{taxonomy::core_algorithms(taxonomy::builtin_grammars())};
   for (const Grammar& grammar : taxonomy::builtin_grammars().grammars)
-    if (grammar.kind == kind) grammars.push_back(grammar);
-  return grammars;
+    if (grammar.kind == taxonomy::GrammarKind::Class) library.grammars.push_back(grammar);
+  return library;
 }
 
 std::vector<std::string> first_words(const taxonomy::Language& language, taxonomy::Symbol light, bool contained,

@@ -95,6 +95,10 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
   result.phantom = mean_luminance(record.phantom);
   result.words = ranked(energies, spellings, all);
   for (const taxonomy::Grammar& grammar : grammars) {
+    if (!taxonomy::has_language(grammar)) {
+      result.left_out.push_back({grammar.name, grammar.title, taxonomy::why_no_language(grammar)});
+      continue;
+    }
     const std::vector<bool> captured = members(record, grammar.language, options.glossy_rule);
     std::vector<bool> missed = captured;
     missed.flip();
@@ -105,6 +109,8 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
                                .expression_delta = grammar.expression_delta,
                                .source = grammar.source,
                                .biases = grammar.biases,
+                               .variances = grammar.variances,
+                               .preconditions = grammar.preconditions,
                                .captured = captured,
                                .captured_energy = sum.energy,
                                .share = sum.share,

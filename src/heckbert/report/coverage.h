@@ -25,11 +25,17 @@ struct WordEnergy {
 
 struct GrammarCoverage {
   std::string name, title, expression, expression_delta, source;
-  std::vector<std::string> biases;
-  std::vector<bool> captured;  ///< by word of the record
+  std::vector<std::string> biases, variances, preconditions;  ///< what the share does not tell
+  std::vector<bool> captured;                                 ///< by word of the record
   record::Estimate captured_energy;
   record::Estimate share;                            ///< captured over all
   std::vector<WordEnergy> top_captured, top_missed;  ///< by energy, most first
+};
+
+/// A grammar that was asked for and has no language, so no share either.
+struct LeftOut {
+  std::string name, title;
+  std::string why;  ///< a sentence
 };
 
 struct Coverage {
@@ -41,6 +47,7 @@ struct Coverage {
   /// Picture-mean luminance of light that belongs to no path, and so to no share; 0 when there is none.
   double ambient = 0, phantom = 0;
   std::vector<GrammarCoverage> grammars;
+  std::vector<LeftOut> left_out;
   std::vector<WordEnergy> words;  ///< all, by energy, most first
 };
 
@@ -57,6 +64,7 @@ struct CoverageOptions {
   Spelling spelling = Spelling::Plain;
 };
 
+/// Grammars that have no language are left out, and named.
 Coverage coverage(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                   const CoverageOptions& options = {});
 

@@ -13,6 +13,8 @@ std::string coverage_json(const Coverage& coverage) {
                         {"expression", grammar.expression},
                         {"expression_delta", grammar.expression_delta},
                         {"biases", grammar.biases},
+                        {"variances", grammar.variances},
+                        {"preconditions", grammar.preconditions},
                         {"share", to_json(grammar.share)},
                         {"captured_energy", to_json(grammar.captured_energy)},
                         {"top_captured", to_json(grammar.top_captured)},
@@ -25,6 +27,9 @@ std::string coverage_json(const Coverage& coverage) {
   document["total"] = to_json(coverage.total);
   document["non_path"] = {{"ambient", coverage.ambient}, {"phantom", coverage.phantom}};
   document["grammars"] = std::move(grammars);
+  document["left_out"] = Json::array();
+  for (const LeftOut& grammar : coverage.left_out)
+    document["left_out"].push_back({{"name", grammar.name}, {"title", grammar.title}, {"why", grammar.why}});
   document["words"] = to_json(coverage.words);
   return dump(document);
 }

@@ -52,6 +52,8 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
       '\n' +
       text_table({{"Algorithm"}, {"Share", Align::Right}, {"Interval in %", Align::Right}, {"Energy", Align::Right}},
                  rows, style);
+  if (!coverage.left_out.empty()) text += "\nLeft out:\n";
+  for (const LeftOut& grammar : coverage.left_out) text += wrap(grammar.why + ".", style.width, 2);
   return text + '\n' + words_text(coverage.words, style, words);
 }
 

@@ -8,7 +8,8 @@
 
 namespace heckbert::report {
 
-/// Algorithms, then classes: name, title, expression.
+/// The teaching set, further algorithms, what has no language, classes: each grammar on one line with its name, its row
+/// in the table of algorithms and what it captures.
 std::string grammar_list_text(const taxonomy::GrammarLibrary& library, const TextStyle& style = {});
 /// Schema "heckbert.grammars".
 std::string grammar_list_json(const taxonomy::GrammarLibrary& library);

@@ -130,6 +130,20 @@ or S, and a dot is any event.</p>
                      arg("letters", letter_rows()), arg("source", kTaxonomySource), arg("lines", lines));
 }
 
+std::string list_of(std::string_view title, const std::vector<std::string>& texts) {
+  if (texts.empty()) return {};
+  std::string items;
+  for (const std::string& text : texts) items += fmt::format("<li>{}</li>\n", escaped(text));
+  return fmt::format("<p>{}:</p>\n<ul>\n{}</ul>\n", title, items);
+}
+
+/// Grammars that were asked for and have no share.
+std::string left_out(const Coverage& coverage) {
+  std::vector<std::string> sentences;
+  for (const LeftOut& grammar : coverage.left_out) sentences.push_back(grammar.why);
+  return list_of("Left out", sentences);
+}
+
 std::string shares_section(const Coverage& coverage) {
   std::string rows;
   for (const GrammarCoverage& grammar : coverage.grammars)
@@ -143,17 +157,17 @@ std::string shares_section(const Coverage& coverage) {
   return fmt::format(R"(<section id="shares">
 <h2>Shares of the light</h2>
 <p>Share of the picture's mean luminance, {total}, that the words of each algorithm carry. An algorithm that captures a
-word may still give it a wrong or a noisy value; known biases are listed with each.</p>
+word may still give it a wrong or a noisy value; what is known of that is listed with each.</p>
 <div class="scroll" tabindex="0" role="region" aria-label="Shares of the light"><table class="shares">
 <thead><tr><th scope="col">Algorithm</th><th scope="col" class="captures">Captures</th><th scope="col" class="number">Share</th>
 <th scope="col" class="number">{level} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th>
 </tr></thead>
 <tbody>
 {rows}</tbody></table></div>
-</section>
+{left_out}</section>
 )",
-                     arg("total", number(coverage.total.mean)), arg("level", level(coverage.confidence)),
-                     arg("rows", rows));
+                     arg("left_out", left_out(coverage)), arg("total", number(coverage.total.mean)),
+                     arg("level", level(coverage.confidence)), arg("rows", rows));
 }
 
 std::string word_rows(const std::vector<WordEnergy>& words, std::size_t most) {
@@ -189,11 +203,10 @@ std::string expressions(const GrammarCoverage& grammar) {
       escaped(grammar.expression), escaped(grammar.expression_delta));
 }
 
-std::string biases(const GrammarCoverage& grammar) {
-  if (grammar.biases.empty()) return {};
-  std::string items;
-  for (const std::string& bias : grammar.biases) items += fmt::format("<li>{}</li>\n", escaped(bias));
-  return fmt::format("<p>Known biases:</p>\n<ul>\n{}</ul>\n", items);
+/// What the share of an algorithm does not tell.
+std::string cautions(const GrammarCoverage& grammar) {
+  return list_of("Known biases", grammar.biases) + list_of("Captured, but noisy", grammar.variances) +
+         list_of("Needs", grammar.preconditions);
 }
 
 std::string part_figure(const record::Record& record, const std::vector<bool>& words, float exposure, int width,
@@ -219,7 +232,7 @@ std::string algorithm_article(const record::Record& record, const Coverage& cove
 <div>{captured_words}</div>
 <div>{missed_words}</div>
 </div>
-{biases}{source}</article>
+{cautions}{source}</article>
 )",
       arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)), arg("expressions", expressions(grammar)),
       arg("share", escaped_percent(grammar.share.mean)), arg("level", level(coverage.confidence)),
@@ -233,7 +246,7 @@ std::string algorithm_article(const record::Record& record, const Coverage& cove
                                                    missed_percent, word_list(grammar.top_missed)))),
       arg("captured_words", word_table("Words captured", grammar.top_captured, coverage.confidence)),
       arg("missed_words", word_table("Words missed", grammar.top_missed, coverage.confidence)),
-      arg("biases", biases(grammar)), arg("source", source));
+      arg("cautions", cautions(grammar)), arg("source", source));
 }
 
 std::string algorithms_section(const record::Record& record, const Coverage& coverage, float exposure, int width) {

@@ -27,6 +27,8 @@ namespace heckbert::taxonomy {
 struct Names {
   std::function<std::optional<Language>(std::string_view name)> find;
   std::vector<std::string> known;  ///< for suggestions
+  /// Why a name that is known stands for no language, as a sentence; empty for other names.
+  std::function<std::string(std::string_view name)> why_none;
 };
 
 /// Parses and compiles. `source` names the text in errors. The result is a subset of universe().

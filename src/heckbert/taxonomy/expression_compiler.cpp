@@ -49,6 +49,10 @@ class Compiler {
   Language named(const Node& node) {
     if (names_.find)
       if (auto language = names_.find(node.name)) return *language;
+    if (const std::string why = names_.why_none ? names_.why_none(node.name) : ""; !why.empty()) {
+      source_.report(node.offset, node.length, why, "");
+      return {};
+    }
     std::string suggestion;
     // "@a-LDE" reads as one name; the longest known beginning is what was meant.
     for (std::size_t dash = node.name.rfind('-'); dash != std::string::npos && dash > 0 && suggestion.empty();

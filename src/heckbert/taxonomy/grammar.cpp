@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <tuple>
 
 #include <heckbert/taxonomy/error.h>
@@ -13,18 +14,91 @@ namespace heckbert::taxonomy {
 
 namespace {
 
-// The keys of a grammar file. Algorithms need all but bias and notes; classes have no expression-delta.
-enum class Key : std::uint8_t { Kind, Name, Title, Order, Source, Expression, ExpressionDelta, Bias, Notes };
-constexpr std::array<std::string_view, 9> kKeys{
-    "kind", "name", "title", "order", "source", "expression", "expression-delta", "bias", "notes"};
+constexpr unsigned bit(GrammarKind kind) {
+  return 1u << static_cast<unsigned>(kind);
+}
+constexpr unsigned kAlgorithms = bit(GrammarKind::Algorithm), kClasses = bit(GrammarKind::Class),
+                   kTransformers = bit(GrammarKind::Transformer);
+constexpr unsigned kEvery = (1u << kGrammarKinds.size()) - 1;
+
+enum class Key : std::uint8_t {
+  Kind,
+  Name,
+  Title,
+  Order,
+  Number,
+  Core,
+  Source,
+  Expression,
+  ExpressionDelta,
+  Host,
+  Bias,
+  Variance,
+  Precondition,
+  Notes
+};
+
+struct KeyFacts {
+  Key key;
+  std::string_view name;
+  unsigned required;  ///< the kinds of grammar that must have it
+  unsigned allowed;   ///< those that may
+  bool repeats = false;
+  std::string_view elsewhere{};  ///< what to do when it stands in another kind
+};
+
+// The keys of a grammar file, in the order in which they are listed to people.
+constexpr std::array<KeyFacts, 14> kKeys{{
+    {Key::Kind, "kind", kEvery, kEvery},
+    {Key::Name, "name", kEvery, kEvery},
+    {Key::Title, "title", kEvery, kEvery},
+    {Key::Order, "order", kEvery, kEvery},
+    {Key::Number, "number", 0, kEvery & ~kClasses, false, "the rows of the table are algorithms"},
+    {Key::Core, "core", 0, kAlgorithms, false, "the teaching set has algorithms only"},
+    {Key::Source, "source", kEvery, kEvery},
+    {Key::Expression, "expression", kAlgorithms | kClasses, kAlgorithms | kClasses, false,
+     "say in 'notes' what it finds"},
+    {Key::ExpressionDelta, "expression-delta", kAlgorithms, kAlgorithms, false,
+     "one expression is enough: write La, Lp, Ld or Le in it"},
+    {Key::Host, "host", kTransformers, kTransformers, false, "only a transformer works on another algorithm"},
+    {Key::Bias, "bias", 0, kEvery, true},
+    {Key::Variance, "variance", 0, kEvery, true},
+    {Key::Precondition, "precondition", 0, kEvery, true},
+    {Key::Notes, "notes", 0, kEvery},
+}};
+
+static_assert([] {
+  for (std::size_t i = 0; i < kKeys.size(); ++i)
+    if (static_cast<std::size_t>(kKeys[i].key) != i) return false;
+  return true;
+}());
 
 constexpr std::string_view kNoPath = "none";
 
-std::string_view key_name(Key key) {
+const KeyFacts& key_facts(Key key) {
   return kKeys[static_cast<std::size_t>(key)];
+}
+std::string_view key_name(Key key) {
+  return key_facts(key).name;
 }
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
+}
+std::string did_you_mean(std::string_view written, const std::vector<std::string>& known) {
+  const std::string near = nearest(written, known);
+  return near.empty() ? "" : "did you mean '" + near + "'?";
+}
+template <class Table>
+std::vector<std::string> names_in(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& row : table) names.emplace_back(row.name);
+  return names;
+}
+std::string listed(const std::vector<std::string>& names, std::string_view between, std::string_view mark) {
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : std::string(between)) + std::string(mark) + name + std::string(mark);
+  return list;
 }
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
@@ -34,6 +108,20 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (is_blank(text.front()) || text.front() == '\n')) text.remove_prefix(1);
   while (!text.empty() && (is_blank(text.back()) || text.back() == '\n')) text.remove_suffix(1);
   return text;
+}
+
+/// Every word that begins with one of these lights.
+Language lit_by(SymbolSet lights) {
+  return concat(concat(Language::of(members(lights)), repeat(Language::of(members(kEvents)), 0, std::nullopt)),
+                Language::of(members(kEyes)));
+}
+const Language& lit_by_hit() {
+  static const Language language = lit_by(single(Symbol::La) | single(Symbol::Le));
+  return language;
+}
+const Language& lit_by_delta() {
+  static const Language language = lit_by(single(Symbol::Lp) | single(Symbol::Ld));
+  return language;
 }
 
 /// A key and its value as they stand in the file; the value may span lines.
@@ -58,13 +146,13 @@ class GrammarReader {
   Grammar finish(const GrammarLibrary& library) {
     if (const Field* name = find(Key::Name); name != nullptr && library.find(grammar_.name) != nullptr)
       report(name->begin, name->end - name->begin, "the name " + quoted(grammar_.name) + " is taken");
+    check_host(library);
     const Language hit = compile_field(Key::Expression, library);
-    if (grammar_.kind == GrammarKind::Class) {
+    const Language delta = compile_field(Key::ExpressionDelta, library);
+    if (grammar_.kind == GrammarKind::Algorithm)
+      grammar_.language = (hit & lit_by_hit()) | (delta & lit_by_delta());
+    else
       grammar_.language = hit;
-    } else {
-      const Language delta = compile_field(Key::ExpressionDelta, library);
-      grammar_.language = (hit & lit_by({Symbol::La, Symbol::Le})) | (delta & lit_by({Symbol::Lp, Symbol::Ld}));
-    }
     return grammar_;
   }
 
@@ -105,16 +193,18 @@ class GrammarReader {
       return;
     }
     const std::string_view written = trimmed(line.substr(0, colon));
-    const auto key = std::find(kKeys.begin(), kKeys.end(), written);
+    const auto key =
+        std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyFacts& facts) { return facts.name == written; });
     if (key == kKeys.end()) {
-      const std::string near = nearest(written, {kKeys.begin(), kKeys.end()});
+      const std::vector<std::string> names = names_in(kKeys);
+      const std::string near = did_you_mean(written, names);
       report(begin, std::max<std::size_t>(1, written.size()), "unknown key " + quoted(written),
-             near.empty() ? "keys are " + key_list() : "did you mean '" + near + "'?");
+             near.empty() ? "keys are " + listed(names, ", ", "") : near);
       return;
     }
-    const auto which = static_cast<Key>(key - kKeys.begin());
-    if (which != Key::Bias && find(which) != nullptr) {
-      report(begin, written.size(), "a second " + quoted(written) + "; each key but 'bias' stands once");
+    const Key which = key->key;
+    if (!key->repeats && find(which) != nullptr) {
+      report(begin, written.size(), "a second " + quoted(written) + "; it stands once");
       return;
     }
     skipping_ = false;
@@ -122,12 +212,6 @@ class GrammarReader {
     const std::size_t value_begin =
         value.empty() ? begin + colon + 1 : static_cast<std::size_t>(value.data() - text_.data());
     fields_.push_back({which, begin, value_begin, value_begin + value.size()});
-  }
-
-  static std::string key_list() {
-    std::string list;
-    for (const std::string_view key : kKeys) list += (list.empty() ? "" : ", ") + std::string(key);
-    return list;
   }
 
   const Field* find(Key key) const {
@@ -149,45 +233,91 @@ class GrammarReader {
     return joined;
   }
 
-  std::string required(Key key) {
+  // The value of a key, empty when it is not there. Keys that this kind must have, or may not, are reported.
+  std::string value(Key key) {
     const Field* field = find(key);
+    const unsigned kind = bit(grammar_.kind);
     if (field == nullptr) {
+      if ((key_facts(key).required & kind) == 0) return {};
       Diagnostic missing;
       missing.source = source_;
       missing.message = "the key " + quoted(key_name(key)) + " is missing";
       errors_.push_back(std::move(missing));
       return {};
     }
-    std::string value = one_line(*field);
-    if (value.empty())
-      report(field->key_offset, key_name(key).size(), "the key " + quoted(key_name(key)) + " has no value");
-    return value;
+    if (is_kind_known_ && (key_facts(key).allowed & kind) == 0) {
+      report(field->key_offset, key_name(key).size(),
+             "the key " + quoted(key_name(key)) + " does not belong to kind " +
+                 std::string(taxonomy::facts(grammar_.kind).name),
+             std::string(key_facts(key).elsewhere));
+      return {};
+    }
+    return text_of(*field);
+  }
+
+  std::string text_of(const Field& field) {
+    std::string text = one_line(field);
+    if (text.empty())
+      report(field.key_offset, key_name(field.key).size(), "the key " + quoted(key_name(field.key)) + " has no value");
+    return text;
   }
 
   void read_facts() {
-    const std::string kind = required(Key::Kind);
-    if (kind == "class") grammar_.kind = GrammarKind::Class;
-    if (!kind.empty() && kind != "class" && kind != "algorithm") {
-      const std::string near = nearest(kind, {"algorithm", "class"});
-      report_value(Key::Kind, "expected 'algorithm' or 'class'", near.empty() ? "" : "did you mean '" + near + "'?");
-    }
-    grammar_.name = required(Key::Name);
+    grammar_.kind = GrammarKind::Class;  // until it is known, no more is asked than of a class
+    read_kind(value(Key::Kind));
+    grammar_.name = value(Key::Name);
     check_name();
-    grammar_.title = required(Key::Title);
-    grammar_.source = required(Key::Source);
-    grammar_.order = parse_order(required(Key::Order));
-    grammar_.expression = required(Key::Expression);
-    // Nothing is asked of a kind that is neither.
-    if (kind == "algorithm") {
-      grammar_.expression_delta = required(Key::ExpressionDelta);
-    } else if (const Field* delta = find(Key::ExpressionDelta); kind == "class" && delta != nullptr) {
-      report(delta->key_offset, key_name(Key::ExpressionDelta).size(),
-             "a class has one expression for every kind of light", "write La, Lp, Ld or Le in 'expression'");
-    }
+    grammar_.title = value(Key::Title);
+    grammar_.source = value(Key::Source);
+    grammar_.order = whole_number(Key::Order, std::numeric_limits<int>::min(), "the place in listings").value_or(0);
+    grammar_.number = whole_number(Key::Number, 1, "from 1: the row in the table of algorithms");
+    read_core(value(Key::Core));
+    grammar_.expression = value(Key::Expression);
+    grammar_.expression_delta = value(Key::ExpressionDelta);
+    if (grammar_.expression == kNoPath && grammar_.expression_delta == kNoPath)
+      report_value(Key::ExpressionDelta, "both expressions are 'none'; an algorithm captures something",
+                   "what has no language is a " + listed(kinds_without_language(), " or a ", "'"));
+    grammar_.host = value(Key::Host);
+    grammar_.notes = value(Key::Notes);
     for (const Field& field : fields_) {
-      if (field.key == Key::Bias) grammar_.biases.push_back(one_line(field));
-      if (field.key == Key::Notes) grammar_.notes = one_line(field);
+      if (field.key == Key::Bias) grammar_.biases.push_back(text_of(field));
+      if (field.key == Key::Variance) grammar_.variances.push_back(text_of(field));
+      if (field.key == Key::Precondition) grammar_.preconditions.push_back(text_of(field));
     }
+  }
+
+  void read_kind(const std::string& text) {
+    const auto kind = std::find_if(kGrammarKinds.begin(), kGrammarKinds.end(),
+                                   [&](const GrammarKindFacts& facts) { return facts.name == text; });
+    is_kind_known_ = kind != kGrammarKinds.end();
+    if (is_kind_known_) {
+      grammar_.kind = kind->kind;
+    } else if (!text.empty()) {
+      const std::vector<std::string> names = names_in(kGrammarKinds);
+      report_value(Key::Kind, "expected " + listed(names, " or ", "'"), did_you_mean(text, names));
+    }
+  }
+
+  void read_core(const std::string& text) {
+    grammar_.is_core = text == "yes";
+    if (!text.empty() && text != "yes" && text != "no") report_value(Key::Core, "expected 'yes' or 'no'");
+  }
+
+  static std::vector<std::string> kinds_without_language() {
+    std::vector<std::string> names;
+    for (const GrammarKindFacts& facts : kGrammarKinds)
+      if (!facts.no_language.empty()) names.emplace_back(facts.name);
+    return names;
+  }
+
+  void check_host(const GrammarLibrary& library) {
+    if (grammar_.host.empty()) return;
+    std::vector<std::string> algorithms;
+    for (const Grammar& grammar : library.grammars)
+      if (grammar.kind == GrammarKind::Algorithm) algorithms.push_back(grammar.name);
+    if (std::find(algorithms.begin(), algorithms.end(), grammar_.host) == algorithms.end())
+      report_value(Key::Host, "no algorithm is called " + quoted(grammar_.host),
+                   did_you_mean(grammar_.host, algorithms));
   }
 
   void report_value(Key key, std::string message, std::string suggestion = {}) {
@@ -204,34 +334,32 @@ class GrammarReader {
       report_value(Key::Name, "a name has small letters, digits and '-' between them, and is not 'none'");
   }
 
-  int parse_order(const std::string& text) {
-    int order = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), order);
-    if (!text.empty() && (error != std::errc() || end != text.data() + text.size()))
-      report_value(Key::Order, "expected a whole number, the place in listings");
-    return order;
+  std::optional<int> whole_number(Key key, int at_least, std::string_view what) {
+    const std::string text = value(key);
+    if (text.empty()) return std::nullopt;
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= at_least) return number;
+    report_value(key, "expected a whole number, " + std::string(what));
+    return std::nullopt;
   }
 
   Language compile_field(Key key, const GrammarLibrary& library) {
-    const Field* field = find(key);
     const std::string& written = key == Key::Expression ? grammar_.expression : grammar_.expression_delta;
-    if (field == nullptr || written.empty()) return {};  // reported
-    if (key == Key::ExpressionDelta && written == kNoPath) return {};
-    ExpressionSource expression{source_, text_, field->begin, field->end, {}};
+    if (written.empty()) return {};  // reported, or not asked for
+    if (grammar_.kind == GrammarKind::Algorithm && written == kNoPath) return {};
+    const Field& field = *find(key);
+    ExpressionSource expression{source_, text_, field.begin, field.end, {}};
     const auto language = compile(expression, library.names());
     errors_.insert(errors_.end(), expression.errors.begin(), expression.errors.end());
     return language.value_or(Language::none());
-  }
-
-  static Language lit_by(const std::vector<Symbol>& lights) {
-    return concat(concat(Language::of(lights), repeat(Language::of(members(kEvents)), 0, std::nullopt)),
-                  Language::of(members(kEyes)));
   }
 
   std::string_view text_;
   std::string_view source_;
   std::vector<Field> fields_;
   bool skipping_ = false;
+  bool is_kind_known_ = false;
   Grammar grammar_;
   std::vector<Diagnostic> errors_;
 };
@@ -248,6 +376,25 @@ void sort_by_place(std::vector<Diagnostic>& errors) {
 
 }  // namespace
 
+bool has_language(const Grammar& grammar) {
+  return facts(grammar.kind).no_language.empty();
+}
+
+std::string why_no_language(const Grammar& grammar) {
+  if (has_language(grammar)) return {};
+  const GrammarKindFacts& kind = facts(grammar.kind);
+  return quoted(grammar.name) + " is a " + std::string(kind.name) +
+         " and has no language: " + std::string(kind.no_language) +
+         (grammar.host.empty() ? "" : "; its host is '@" + grammar.host + "'");
+}
+
+std::vector<Grammar> core_algorithms(const GrammarLibrary& library) {
+  std::vector<Grammar> core;
+  for (const Grammar& grammar : library.grammars)
+    if (grammar.is_core) core.push_back(grammar);
+  return core;
+}
+
 const Grammar* GrammarLibrary::find(std::string_view name) const {
   const auto at = std::find_if(grammars.begin(), grammars.end(), [name](const Grammar& g) { return g.name == name; });
   return at == grammars.end() ? nullptr : &*at;
@@ -256,10 +403,16 @@ const Grammar* GrammarLibrary::find(std::string_view name) const {
 Names GrammarLibrary::names() const {
   Names names;
   names.find = [this](std::string_view name) -> std::optional<Language> {
-    if (const Grammar* grammar = find(name)) return grammar->language;
-    return std::nullopt;
+    const Grammar* grammar = find(name);
+    if (grammar == nullptr || !has_language(*grammar)) return std::nullopt;
+    return grammar->language;
   };
-  for (const Grammar& g : grammars) names.known.push_back(g.name);
+  names.why_none = [this](std::string_view name) {
+    const Grammar* grammar = find(name);
+    return grammar == nullptr ? std::string() : why_no_language(*grammar);
+  };
+  for (const Grammar& g : grammars)
+    if (has_language(g)) names.known.push_back(g.name);
   return names;
 }
 

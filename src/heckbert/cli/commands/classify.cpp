@@ -7,11 +7,11 @@
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/files.h>
+#include <heckbert/cli/languages.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/report/classify.h>
 #include <heckbert/report/facts.h>
 #include <heckbert/report/words_text.h>
-#include <heckbert/taxonomy/grammar.h>
 
 namespace heckbert::cli {
 namespace {
@@ -45,7 +45,7 @@ ExitCode run(const ClassifyFlags& options) {
   const record::Record record = read_record(options.record);
 
   const report::ClassifyOptions how{.glossy_rule = settings.glossy, .confidence = settings.confidence};
-  const std::vector<report::WordGroup> groups = report::classify(record, by, taxonomy::builtin_grammars(), how);
+  const std::vector<report::WordGroup> groups = report::classify(record, by, teaching_library(), how);
   console.detail(report::summary(record.info));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
   fmt::print("{}", options.json ? report::groups_json(groups, by, record.info, how)

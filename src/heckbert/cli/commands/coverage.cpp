@@ -20,7 +20,7 @@ namespace {
 
 struct CoverageFlags {
   std::string record;
-  std::vector<std::string> grammars;  ///< none: all built-in algorithms
+  std::vector<std::string> grammars;  ///< none: the teaching set
   std::size_t top = report::CoverageOptions{}.top;
   bool fine = false;
   std::string sheet;  ///< empty: not wanted
@@ -30,9 +30,7 @@ struct CoverageFlags {
 
 void declare(CLI::App& command, CoverageFlags& options) {
   command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
-  command.add_option("--grammar", options.grammars, "name, .grammar file or expression (default: all algorithms)")
-      ->type_name("GRAMMAR")
-      ->allow_extra_args(false);
+  command.add_option("--grammar", options.grammars, kGrammarsHelp)->type_name("GRAMMAR")->allow_extra_args(false);
   add_count(command, "--top", options.top, fmt::format("words listed per grammar (default: {})", options.top));
   command.add_flag("--fine", options.fine, "words with subscripts, such as LaDrStEp");
   command.add_option("--sheet", options.sheet, "a contact sheet: what each grammar captures and misses")
@@ -45,6 +43,7 @@ constexpr const char* kExamples =
     "  heckbert coverage cornell.paths.exr\n"
     "  heckbert coverage cornell.paths.exr --grammar whitted --grammar 'L(D|S)*E' --glossy specular\n"
     "  heckbert coverage cornell.paths.exr --grammar my.grammar --json\n"
+    "  heckbert coverage cornell.paths.exr --grammar all\n"
     "  heckbert coverage cornell.paths.exr --sheet sheet.png\n";
 
 ExitCode run(const CoverageFlags& options) {
@@ -52,9 +51,7 @@ ExitCode run(const CoverageFlags& options) {
   const Console console(settings);
   if (options.sheet == "-") throw UsageError("--sheet needs the name of a file; standard output has the table");
   if (!options.sheet.empty()) check_writable(options.sheet);
-  const std::vector<taxonomy::Grammar> grammars = options.grammars.empty()
-                                                      ? builtin_grammars_of(taxonomy::GrammarKind::Algorithm)
-                                                      : find_grammars(options.grammars, "--grammar");
+  const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar");
   const record::Record record = read_record(options.record);
 
   const report::Coverage coverage =

@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,7 +20,8 @@ namespace {
 
 struct ReportOptions {
   std::string record, output;
-  std::string sheet;  ///< empty: not wanted
+  std::vector<std::string> grammars;  ///< none: the teaching set
+  std::string sheet;                  ///< empty: not wanted
   bool json = false;
   SettingFlags flags;
 };
@@ -29,6 +31,7 @@ void declare(CLI::App& command, ReportOptions& options) {
   command.add_option("-o,--output", options.output, "the page; it needs no other file")
       ->type_name("FILE.html")
       ->required();
+  command.add_option("--grammar", options.grammars, kGrammarsHelp)->type_name("GRAMMAR")->allow_extra_args(false);
   command.add_option("--sheet", options.sheet, "also the contact sheet as a PNG")->type_name("FILE.png");
   command.add_flag("--json", options.json, "print the names of the files as JSON");
   add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
@@ -36,7 +39,8 @@ void declare(CLI::App& command, ReportOptions& options) {
 
 constexpr const char* kExamples =
     "  heckbert report cornell.paths.exr -o cornell.html\n"
-    "  heckbert report cornell.paths.exr -o cornell.html --sheet cornell-sheet.png --glossy specular\n";
+    "  heckbert report cornell.paths.exr -o cornell.html --sheet cornell-sheet.png --glossy specular\n"
+    "  heckbert report cornell.paths.exr -o cornell.html --grammar whitted --grammar photon-mapping\n";
 
 ExitCode run(const ReportOptions& options) {
   const Settings settings = resolve(options.flags);
@@ -45,11 +49,11 @@ ExitCode run(const ReportOptions& options) {
   if (options.output == "-" && options.json) throw UsageError("--json and an output '-' both want standard output");
   check_writable(options.output);
   if (!options.sheet.empty()) check_writable(options.sheet);
+  const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar");
   const record::Record record = read_record(options.record);
 
   const report::Coverage coverage =
-      report::coverage(record, builtin_grammars_of(taxonomy::GrammarKind::Algorithm),
-                       {.glossy_rule = settings.glossy, .confidence = settings.confidence});
+      report::coverage(record, grammars, {.glossy_rule = settings.glossy, .confidence = settings.confidence});
   write_bytes(options.output, report::html(record, coverage));
   if (!options.sheet.empty()) write_bytes(options.sheet, png_of(report::contact_sheet(record, coverage)));
   if (options.json) {

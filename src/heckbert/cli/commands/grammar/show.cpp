@@ -18,6 +18,7 @@ using taxonomy::Grammar;
 
 /// "Captures    LE LDE LSE ...": the shortest words, for lights that a ray can hit and for those that it cannot.
 std::string examples_text(const Grammar& grammar) {
+  if (!taxonomy::has_language(grammar)) return {};
   constexpr std::size_t kExamplesShown = 8;
   struct Lights {
     taxonomy::Symbol light;
@@ -50,7 +51,7 @@ void declare_show(CLI::App& command, ShowOptions& options) {
 
 ExitCode run_show(const ShowOptions& options) {
   const Console console(resolve(options.flags));
-  const taxonomy::GrammarLibrary shown{find_grammars(options.grammars, "GRAMMAR")};
+  const taxonomy::GrammarLibrary shown{find_described(options.grammars, "GRAMMAR")};
   if (options.json) {
     fmt::print("{}", report::grammar_list_json(shown));
     return ExitCode::Done;
