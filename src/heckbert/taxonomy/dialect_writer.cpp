@@ -48,6 +48,14 @@ Word mapped(Word word, Symbol from, Symbol to) {
   return word;
 }
 
+/// For a sentence: a long word without its middle.
+std::string shown(const Word& word) {
+  constexpr std::size_t kLongest = 60, kKept = 20;
+  const std::string text = fine(word);
+  if (text.size() <= kLongest) return text;
+  return text.substr(0, kKept) + "..." + text.substr(text.size() - kKept);
+}
+
 std::string why_not(const Language& language, const DialectFacts& dialect) {
   const std::vector<SymbolSet> items = items_of(dialect);
   const std::string title(dialect.title);
@@ -60,7 +68,7 @@ std::string why_not(const Language& language, const DialectFacts& dialect) {
       const bool is_in = word.has_value();
       if (!word && alike) word = witness_outside(with_b, language);
       if (!word) continue;
-      const std::string one = fine(*word), other = fine(mapped(*word, a.symbol, b.symbol));
+      const std::string one = shown(*word), other = shown(mapped(*word, a.symbol, b.symbol));
       return (is_in ? one : other) + " is in it and " + (is_in ? other : one) + " is not, and " + title +
              (alike ? " cannot tell " : " cannot say ") + name(a.symbol) + (alike ? " from " : " without ") +
              name(b.symbol);
