@@ -208,10 +208,10 @@ TEST(GrammarListText, HasSectionsAndALineForEveryGrammar) {
             "lecture                6  LD?S*E\n"
             "global-illumination       L(D|G|S|V)*E  (lights that cannot be hit)\n"
             "\n"
-            "No language          No.  Captures\n"
+            "No language          No.  Is a\n"
             "occlusion                 proxy\n"
             "\n"
-            "Class                No.  Captures\n"
+            "Class                No.  Contains\n"
             "ray-casting               LD?E\n");
   EXPECT_EQ(grammar_list_text({}), "No grammars.\n");
 }

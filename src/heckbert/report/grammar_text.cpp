@@ -16,14 +16,14 @@ using taxonomy::GrammarKind;
 
 /// A heading of the list, and what stands under it.
 struct Section {
-  std::string_view title;
+  std::string_view title, gist;
   bool (*has)(const Grammar& grammar);
 };
 constexpr std::array<Section, 4> kSections{{
-    {"Algorithm", [](const Grammar& g) { return g.kind == GrammarKind::Algorithm && g.is_core; }},
-    {"Further algorithm", [](const Grammar& g) { return g.kind == GrammarKind::Algorithm && !g.is_core; }},
-    {"No language", [](const Grammar& g) { return !taxonomy::has_language(g); }},
-    {"Class", [](const Grammar& g) { return g.kind == GrammarKind::Class; }},
+    {"Algorithm", "Captures", [](const Grammar& g) { return g.kind == GrammarKind::Algorithm && g.is_core; }},
+    {"Further algorithm", "Captures", [](const Grammar& g) { return g.kind == GrammarKind::Algorithm && !g.is_core; }},
+    {"No language", "Is a", [](const Grammar& g) { return !taxonomy::has_language(g); }},
+    {"Class", "Contains", [](const Grammar& g) { return g.kind == GrammarKind::Class; }},
 }};
 
 std::string number_of(const Grammar& grammar) {
@@ -86,7 +86,7 @@ std::string grammar_list_text(const taxonomy::GrammarLibrary& library, const Tex
                                   cut(gist(grammar), std::max<std::size_t>(room, 8))}});
     if (rows.empty()) continue;
     if (!text.empty()) text += '\n';
-    text += text_table({{std::string(section.title)}, {"No.", Align::Right}, {"Captures"}}, rows, style);
+    text += text_table({{std::string(section.title)}, {"No.", Align::Right}, {std::string(section.gist)}}, rows, style);
   }
   return text.empty() ? "No grammars.\n" : text;
 }
