@@ -30,8 +30,8 @@ double milliseconds(F f) {
 
 template <class F>
 double median_milliseconds(int rounds, F f) {
-  std::vector<double> times;
-  for (int i = 0; i < rounds; ++i) times.push_back(milliseconds(f));
+  std::vector<double> times(static_cast<std::size_t>(rounds));
+  for (double& time : times) time = milliseconds(f);
   std::nth_element(times.begin(), times.begin() + rounds / 2, times.end());
   return times[static_cast<std::size_t>(rounds / 2)];
 }
@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
 
   const std::vector<File> files = read(directory);
   std::vector<taxonomy::GrammarText> texts;
+  texts.reserve(files.size());
   for (const File& file : files) texts.push_back({file.name, file.text});
   fmt::print("{} files, all        {:6.2f} ms, median of {}\n", files.size(),
              median_milliseconds(rounds, [&] { taxonomy::read_grammars(texts); }), rounds);

@@ -347,6 +347,7 @@ struct Combined {
 
 Combined combined(const std::vector<Language>& languages, std::initializer_list<Symbol> letters) {
   std::vector<StateId> start;
+  start.reserve(languages.size());
   for (const Language& l : languages) start.push_back(l.states()[0].next[index(Symbol::La)]);
   std::set<std::vector<StateId>> seen{start};
   std::vector<std::vector<StateId>> waiting{start};

@@ -91,6 +91,7 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
 template <class Table>
 std::vector<std::string> names_in(const Table& table) {
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const auto& row : table) names.emplace_back(row.name);
   return names;
 }
