@@ -118,6 +118,54 @@ TEST(GrammarDot, IsADigraph) {
   EXPECT_THAT(outcome.out, HasSubstr("[label=\"D\"];"));
 }
 
+TEST(GrammarMinimize, PrintsAnExpression) {
+  expect({
+      {{"minimize", "LDE | LSE | LGE"}, 0, "L X E\n"},
+      {{"minimize", "whitted"}, 0, "L N S* E | [LaLe] S* E\n"},
+      {{"minimize", "LGE", "--glossy", "specular"},
+       0,
+       "L E - L E\n",
+       "'LGE' can never match, because it has no word at all\n"},
+  });
+}
+
+TEST(GrammarStrategies, AreListedForEveryKindOfEnds) {
+  expect({
+      {{"strategies", "LSDSE"},
+       0,
+       "Strategies for LSDSE         Light  Eye  Count\n"
+       "hit the light                La     Ep       1\n"
+       "hit the light, hit the lens  La     El       2\n"
+       "none                         Lp     Ep       0\n"
+       "hit the lens                 Lp     El       1\n"
+       "none                         Ld     Ep       0\n"
+       "hit the lens                 Ld     El       1\n"
+       "hit the light                Le     Ep       1\n"
+       "hit the light, hit the lens  Le     El       2\n"},
+  });
+}
+
+TEST(GrammarLattice, IsTextDotOrSvg) {
+  expect({
+      {{"lattice", "LD*E", "LD?E", "L(D|S)*E", "LE | LDE"},
+       0,
+       "All of           is in     which also has\n"
+       "LD?E = LE | LDE  LD*E      LDDE\n"
+       "LD*E             L(D|S)*E  LSE\n"
+       "L(D|S)*E\n"},
+      {{"lattice", "LDE", "L.E", "--dot"},
+       0,
+       "digraph {\n  rankdir=BT;\n  node [shape=box];\n  0 [label=\"LDE\"];\n  1 [label=\"L.E\"];\n"
+       "  0 -> 1 [label=\"LGE\"];\n}\n"},
+      {{"lattice", "--dot", "--svg"}, 2, "", "heckbert: error: one of --dot, --svg and --json, please\n"},
+  });
+  const Outcome svg = run({"grammar", "lattice", "--svg", "--lights", "La"});
+  EXPECT_EQ(svg.exit_code, 0);
+  EXPECT_THAT(svg.out, ::testing::StartsWith("<svg xmlns="));
+  EXPECT_THAT(svg.out, ::testing::EndsWith("</svg>\n"));
+  EXPECT_THAT(svg.out, HasSubstr(">LSE</text>"));
+}
+
 TEST(Match, SaysWhenNothingCanEverMatch) {
   const Outcome outcome = run({"match", "LDE & LSE", "LDE"});
   EXPECT_EQ(outcome.exit_code, 1);

@@ -31,7 +31,10 @@ const std::vector<std::vector<std::string>> kCommands{{"render"},
                                                       {"grammar", "count"},
                                                       {"grammar", "identify"},
                                                       {"grammar", "explain"},
-                                                      {"grammar", "dot"}};
+                                                      {"grammar", "dot"},
+                                                      {"grammar", "minimize"},
+                                                      {"grammar", "strategies"},
+                                                      {"grammar", "lattice"}};
 
 TEST(Help, EveryCommandHasExamplesAndJson) {
   for (std::vector<std::string> command : kCommands) {

@@ -21,5 +21,8 @@ void add_grammar_count(CLI::App& family, Run& chosen);
 void add_grammar_identify(CLI::App& family, Run& chosen);
 void add_grammar_explain(CLI::App& family, Run& chosen);
 void add_grammar_dot(CLI::App& family, Run& chosen);
+void add_grammar_minimize(CLI::App& family, Run& chosen);
+void add_grammar_strategies(CLI::App& family, Run& chosen);
+void add_grammar_lattice(CLI::App& family, Run& chosen);
 
 }  // namespace heckbert::cli
