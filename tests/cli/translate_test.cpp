@@ -1,7 +1,9 @@
-// heckbert grammar translate
+// heckbert grammar translate, and --dialect of every command that takes expressions
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <heckbert/record/file.h>
 
 #include "cli/run.h"
 
@@ -41,6 +43,34 @@ TEST(Translate, RepairsABrokenExpression) {
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(outcome.err, HasSubstr("did you mean 'C<RD>+L'?"));
+}
+
+TEST(DialectFlag, SaysHowExpressionsAreRead) {
+  EXPECT_EQ(run({"match", "CD|SL", "LDE", "LSE", "--dialect", "osl"}).out, "yes LDE\nyes LSE\n");
+  EXPECT_EQ(run({"grammar", "equal", "CSL", "C<.S>L", "--dialect", "arnold"}).out, "yes\n");
+  EXPECT_EQ(run({"match", "CSL", "LGE"}, {.environment = {{"HECKBERT_DIALECT", "arnold"}}}).out, "yes LGE\n");
+  EXPECT_THAT(run({"grammar", "show", "CGO", "--dialect", "karma"}).out, HasSubstr("LSE"));
+  EXPECT_EQ(run({"grammar", "subset", "whitted", "C.*[LOB]", "--dialect", "osl"}).out, "yes\n") << "names stay names";
+}
+
+TEST(DialectFlag, KeepsErrorsAndWarnings) {
+  EXPECT_THAT(run({"match", "CD?L", "LDE", "--dialect", "osl"}).err, HasSubstr("did you mean 'CD{0,1}L'?"));
+  const Outcome outcome = run({"match", "CD|SL", "LDE", "--dialect", "iray"});
+  EXPECT_EQ(outcome.out, "no  LDE\n");
+  EXPECT_THAT(outcome.err, HasSubstr("warning: CD|SL: no path matches this in Iray\n"));
+  EXPECT_EQ(run({"match", "CDL", "LDE", "--dialect", "ols"}).exit_code, 2);
+}
+
+TEST(DialectFlag, ReadsTheLayersOfARender) {
+  const TemporaryFolder folder;
+  const std::string record = (folder / "a.paths.exr").string();
+  const Outcome rendered = run({"render", "lecture", "--record", record, "--size", "16x16", "--spp", "4", "--lpe",
+                                "diffuse=C<RD>[LOB]", "--dialect", "osl"});
+  ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+  const std::string there = (folder / "there.exr").string(), here = (folder / "here.exr").string();
+  ASSERT_EQ(run({"query", record, "C<RD>[LOB]", "-o", there, "--dialect", "osl"}).exit_code, 0);
+  ASSERT_EQ(run({"query", record, "L Dr E", "-o", here}).exit_code, 0);
+  EXPECT_EQ(record::read_layers(there).at(0).image.pixels, record::read_layers(here).at(0).image.pixels);
 }
 
 TEST(Translate, SuggestsADialect) {

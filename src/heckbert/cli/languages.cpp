@@ -5,7 +5,10 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
 #include <heckbert/cli/choice.h>
+
+#include <heckbert/cli/console.h>
 #include <heckbert/cli/files.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/expression.h>
@@ -40,14 +43,18 @@ std::pair<std::string, std::string> split_name(const std::string& text) {
 }
 
 /// Whatever the text means, with a language or without.
-Grammar lookup(const std::string& text, std::string_view what) {
+Grammar lookup(const std::string& text, std::string_view what, const Settings& settings) {
   if (text.ends_with(".grammar")) return taxonomy::parse_grammar(read_text(text), text, taxonomy::builtin_grammars());
   if (text.starts_with('@') && looks_like_name(text.substr(1))) return builtin(text.substr(1), text, what);
   if (looks_like_name(text)) return builtin(text, text, what);
   Grammar grammar;
   grammar.kind = taxonomy::GrammarKind::Class;
   grammar.name = grammar.title = grammar.expression = text;
-  grammar.language = taxonomy::compile(text, taxonomy::builtin_grammars().names(), what);
+  taxonomy::Reading reading =
+      taxonomy::read_expression(text, settings.dialect, taxonomy::builtin_grammars().names(), what);
+  for (const Diagnostic& warning : reading.warnings)
+    Console(settings).note(fmt::format("warning: {}: {}", text, warning.message));
+  grammar.language = std::move(reading.language);
   return grammar;
 }
 
@@ -69,23 +76,26 @@ std::vector<Grammar> collect(const std::vector<std::string>& texts, Make make) {
 
 }  // namespace
 
-Grammar find_grammar(const std::string& text, std::string_view what) {
-  Grammar grammar = lookup(text, what);
+Grammar find_grammar(const std::string& text, std::string_view what, const Settings& settings) {
+  Grammar grammar = lookup(text, what, settings);
   if (!taxonomy::has_language(grammar))
     throw InputError(diagnose(what, text, 0, text.size(), taxonomy::why_no_language(grammar),
                               "'heckbert grammar show " + grammar.name + "' says what it is"));
   return grammar;
 }
 
-std::vector<Grammar> find_grammars(const std::vector<std::string>& texts, std::string_view what) {
-  return collect(texts, [&](const std::string& text) { return find_grammar(text, what); });
+std::vector<Grammar> find_grammars(const std::vector<std::string>& texts, std::string_view what,
+                                   const Settings& settings) {
+  return collect(texts, [&](const std::string& text) { return find_grammar(text, what, settings); });
 }
 
-std::vector<Grammar> find_described(const std::vector<std::string>& texts, std::string_view what) {
-  return collect(texts, [&](const std::string& text) { return lookup(text, what); });
+std::vector<Grammar> find_described(const std::vector<std::string>& texts, std::string_view what,
+                                    const Settings& settings) {
+  return collect(texts, [&](const std::string& text) { return lookup(text, what, settings); });
 }
 
-std::vector<Grammar> find_to_cover(const std::vector<std::string>& texts, std::string_view what) {
+std::vector<Grammar> find_to_cover(const std::vector<std::string>& texts, std::string_view what,
+                                   const Settings& settings) {
   if (texts.empty()) return taxonomy::core_algorithms(taxonomy::builtin_grammars());
   std::vector<std::string> others = texts;
   const bool all = std::erase(others, kAllGrammars) > 0;
@@ -94,14 +104,15 @@ std::vector<Grammar> find_to_cover(const std::vector<std::string>& texts, std::s
     std::copy_if(taxonomy::builtin_grammars().grammars.begin(), taxonomy::builtin_grammars().grammars.end(),
                  std::back_inserter(grammars),
                  [](const Grammar& grammar) { return grammar.kind != taxonomy::GrammarKind::Class; });
-  for (Grammar& grammar : find_grammars(others, what)) grammars.push_back(std::move(grammar));
+  for (Grammar& grammar : find_grammars(others, what, settings)) grammars.push_back(std::move(grammar));
   return grammars;
 }
 
-std::vector<Grammar> find_named_grammars(const std::vector<std::string>& texts, std::string_view what) {
+std::vector<Grammar> find_named_grammars(const std::vector<std::string>& texts, std::string_view what,
+                                         const Settings& settings) {
   std::vector<Grammar> grammars = collect(texts, [&](const std::string& text) {
     const auto [name, rest] = split_name(text);
-    Grammar grammar = find_grammar(rest, what);
+    Grammar grammar = find_grammar(rest, what, settings);
     if (!name.empty()) grammar.name = name;
     return grammar;
   });

@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include <heckbert/record/record.h>
+#include <heckbert/taxonomy/dialect.h>
 #include <heckbert/taxonomy/glossy_rule.h>
 
 namespace heckbert::cli {
@@ -36,6 +37,7 @@ struct Settings {
   std::optional<int> max_depth;
   When progress = When::Auto;
   taxonomy::GlossyRule glossy = taxonomy::GlossyRule::Keep;
+  taxonomy::Dialect dialect = taxonomy::Dialect::Heckbert;
   double confidence = 0.95;
   bool quiet = false;
   bool verbose = false;
@@ -43,7 +45,7 @@ struct Settings {
 };
 
 /// Which commands a setting is for.
-enum class Scope : std::uint8_t { Tracing, Glossy, Confidence, Everywhere };
+enum class Scope : std::uint8_t { Tracing, Dialect, Glossy, Confidence, Everywhere };
 
 /// What the flags of one command line say.
 struct SettingFlags {

@@ -36,7 +36,7 @@ void declare(CLI::App& command, CoverageFlags& options) {
   command.add_option("--sheet", options.sheet, "a contact sheet: what each grammar captures and misses")
       ->type_name("FILE.png");
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
 constexpr const char* kExamples =
@@ -51,7 +51,7 @@ ExitCode run(const CoverageFlags& options) {
   const Console console(settings);
   if (options.sheet == "-") throw UsageError("--sheet needs the name of a file; standard output has the table");
   if (!options.sheet.empty()) check_writable(options.sheet);
-  const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar");
+  const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar", settings);
   const record::Record record = read_record(options.record);
 
   const report::Coverage coverage =

@@ -30,7 +30,7 @@ void declare(CLI::App& command, MatchOptions& options) {
   command.add_option("WORD", options.words, "words such as LDSE or LaDrSrEp; none, or '-': from standard input");
   command.add_flag("--explain", options.explain, "say where each word stops matching");
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 constexpr const char* kExamples =
@@ -48,7 +48,7 @@ std::vector<std::string> words_of(const MatchOptions& options) {
 ExitCode run(const MatchOptions& options) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
-  const taxonomy::Grammar grammar = find_grammar(options.expression, "EXPR");
+  const taxonomy::Grammar grammar = find_grammar(options.expression, "EXPR", settings);
   const taxonomy::Language language = taxonomy::apply(settings.glossy, grammar.language);
 
   report::Json json = report::document_of("heckbert.match");

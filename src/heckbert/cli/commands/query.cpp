@@ -36,7 +36,7 @@ void declare(CLI::App& command, QueryOptions& options) {
   command.add_option("--preview", options.preview, "a PNG of the first class, exposed as the whole picture")
       ->type_name("FILE.png");
   command.add_flag("--json", options.json, "print the energies as JSON");
-  add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
 constexpr const char* kExamples =
@@ -52,7 +52,7 @@ ExitCode run(const QueryOptions& options) {
   if (options.output == "-" && options.preview == "-") throw UsageError("two outputs would go to standard output");
   for (const std::string& name : {options.output, options.preview})
     if (!name.empty()) check_writable(name);
-  const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "EXPR");
+  const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "EXPR", settings);
   const record::Record record = read_record(options.record);
 
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);

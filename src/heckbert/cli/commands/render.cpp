@@ -58,7 +58,7 @@ void declare(CLI::App& command, RenderOptions& options) {
   command.add_option("--algorithm", options.algorithm, "how to trace (default: path)")
       ->type_name(alternatives(transport::kAlgorithms));
   command.add_flag("--json", options.json, "print what was done as JSON");
-  add_settings(command, options.flags, {Scope::Tracing, Scope::Glossy, Scope::Confidence});
+  add_settings(command, options.flags, {Scope::Tracing, Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
 constexpr const char* kExamples =
@@ -188,7 +188,7 @@ ExitCode run(const RenderOptions& options) {
   const Console console(settings);
   // Everything that can be wrong is looked at before any ray is traced.
   const Outputs outputs = outputs_of(options);
-  const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "--lpe");
+  const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "--lpe", settings);
   choose_flag("--algorithm", options.algorithm, transport::kAlgorithms);
   const import::Imported imported = load_scene(options.scene);
   transport::RenderSettings render = render_settings(options, settings, imported.scene.defaults);

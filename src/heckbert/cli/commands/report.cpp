@@ -34,7 +34,7 @@ void declare(CLI::App& command, ReportOptions& options) {
   command.add_option("--grammar", options.grammars, kGrammarsHelp)->type_name("GRAMMAR")->allow_extra_args(false);
   command.add_option("--sheet", options.sheet, "also the contact sheet as a PNG")->type_name("FILE.png");
   command.add_flag("--json", options.json, "print the names of the files as JSON");
-  add_settings(command, options.flags, {Scope::Glossy, Scope::Confidence});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
 constexpr const char* kExamples =
@@ -49,7 +49,7 @@ ExitCode run(const ReportOptions& options) {
   if (options.output == "-" && options.json) throw UsageError("--json and an output '-' both want standard output");
   check_writable(options.output);
   if (!options.sheet.empty()) check_writable(options.sheet);
-  const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar");
+  const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar", settings);
   const record::Record record = read_record(options.record);
 
   const report::Coverage coverage =

@@ -29,7 +29,7 @@ void declare_compare(CLI::App& command, CompareOptions& options) {
   command.add_option("A", options.a, "name, .grammar file or expression")->required();
   command.add_option("B", options.b, "name, .grammar file or expression")->required();
   command.add_flag("--json", options.json, "print the answer as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 /// A shortest word that one language has and the other has not, or nothing.
@@ -43,7 +43,7 @@ enum class Question : std::uint8_t { Equal, Subset };
 ExitCode compare(const CompareOptions& options, Question question) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
-  const std::vector<Grammar> grammars = find_grammars({options.a, options.b}, "argument");
+  const std::vector<Grammar> grammars = find_grammars({options.a, options.b}, "argument", settings);
   const Language a = taxonomy::apply(settings.glossy, grammars[0].language);
   const Language b = taxonomy::apply(settings.glossy, grammars[1].language);
 

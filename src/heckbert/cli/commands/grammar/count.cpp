@@ -31,7 +31,7 @@ void declare(CLI::App& command, CountOptions& options) {
       ->type_name("LIST");
   command.add_option("--max-depth", c.max_depth, "the largest number of scatterings (default 10)")->type_name("N");
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 /// The words to count: in the letters asked for, with every end kept apart.

@@ -23,7 +23,7 @@ void declare(CLI::App& command, ExplainOptions& options) {
   command.add_option("EXPR", options.expression, "name, .grammar file or expression")->required();
   command.add_option("WORD", options.word, "a word such as LDSE or LaDrSrEp")->required();
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 ExitCode run(const ExplainOptions& options) {

@@ -24,7 +24,7 @@ struct IdentifyOptions {
 void declare(CLI::App& command, IdentifyOptions& options) {
   command.add_option("EXPR", options.expression, "name, .grammar file or expression")->required();
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 std::string title_of(const Neighbour& neighbour) {

@@ -51,7 +51,7 @@ report::Json names_of_symbols(SymbolSet set) {
 }  // namespace
 
 std::vector<Operand> operands(const std::vector<std::string>& texts, const Settings& settings) {
-  const std::vector<taxonomy::Grammar> grammars = find_grammars(texts, "argument");
+  const std::vector<taxonomy::Grammar> grammars = find_grammars(texts, "argument", settings);
   std::vector<Operand> list;
   for (std::size_t i = 0; i < texts.size(); ++i)
     list.push_back({texts[i], taxonomy::apply(settings.glossy, grammars[i].language)});

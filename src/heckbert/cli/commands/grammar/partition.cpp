@@ -26,7 +26,7 @@ struct ClassesOptions {
 void declare_disjoint(CLI::App& command, ClassesOptions& options) {
   command.add_option("CLASS", options.classes, "names, .grammar files or expressions")->required()->expected(2, -1);
   command.add_flag("--json", options.json, "print the answer as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 void declare_partition(CLI::App& command, ClassesOptions& options) {
@@ -35,7 +35,7 @@ void declare_partition(CLI::App& command, ClassesOptions& options) {
       ->type_name("EXPR");
   add_conditions(command, options.conditions);
   command.add_flag("--json", options.json, "print the answer as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 struct Asked {

@@ -46,12 +46,13 @@ struct ShowOptions {
 void declare_show(CLI::App& command, ShowOptions& options) {
   command.add_option("GRAMMAR", options.grammars, "name, .grammar file or expression")->required();
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {});
+  add_settings(command, options.flags, {Scope::Dialect});
 }
 
 ExitCode run_show(const ShowOptions& options) {
-  const Console console(resolve(options.flags));
-  const taxonomy::GrammarLibrary shown{find_described(options.grammars, "GRAMMAR")};
+  const Settings settings = resolve(options.flags);
+  const Console console(settings);
+  const taxonomy::GrammarLibrary shown{find_described(options.grammars, "GRAMMAR", settings)};
   if (options.json) {
     fmt::print("{}", report::grammar_list_json(shown));
     return ExitCode::Done;

@@ -46,7 +46,7 @@ void declare_translate(CLI::App& command, TranslateOptions& options) {
 
 Translation translation(const TranslateOptions& options) {
   if (options.from->dialect == Dialect::Heckbert) {
-    const taxonomy::Grammar grammar = find_grammar(options.expression, "EXPR");
+    const taxonomy::Grammar grammar = find_grammar(options.expression, "EXPR", {});
     const bool is_named = grammar.expression != options.expression;
     if (is_named)
       return {{grammar.language, {}, {}}, taxonomy::write_expression(grammar.language, options.to->dialect), {}, false};

@@ -31,7 +31,7 @@ void declare(CLI::App& command, WordsOptions& options) {
   command.add_flag("--plain", options.plain, "plain letters, LDSE for LaDrStEp and its like");
   add_conditions(command, options.conditions);
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 ExitCode run(const WordsOptions& options) {
