@@ -7,6 +7,8 @@ target_compile_options(heckbert_warnings INTERFACE -Wall -Wextra -Wpedantic -Wco
   $<$<BOOL:${HECKBERT_WARNINGS_AS_ERRORS}>:-Werror>)
 
 if(HECKBERT_SANITIZE)
+  # GCC warns of the standard library's own variables under sanitizers (gcc.gnu.org/bugzilla/show_bug.cgi?id=105562).
+  target_compile_options(heckbert_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_compile_options(-fsanitize=${HECKBERT_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${HECKBERT_SANITIZE})
 endif()

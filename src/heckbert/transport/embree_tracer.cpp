@@ -32,6 +32,13 @@ float clearance(glm::vec3 position, float placement, float size) {
   return kRelativeError * (max_component(position) + placement + size);
 }
 
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Release>;
+using EmbreeScene = std::unique_ptr<RTCSceneTy, Release>;
+
 /// A placed shape: what the shading of a hit needs, found by instance and geometry id.
 struct Placed {
   const Shape* shape = nullptr;
@@ -46,20 +53,15 @@ struct Placed {
 }  // namespace
 
 struct Tracer::Impl {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  std::vector<RTCScene> group_scenes;
+  Device device;
+  EmbreeScene scene;
+  std::vector<EmbreeScene> group_scenes;
   std::vector<Placed> placed;
   std::vector<std::uint32_t> first_of_instance;  ///< of the top-level geometry id: where its shapes begin in `placed`
   std::uint32_t top_level_shapes = 0;
   std::vector<Emitter> emitters;
 
   explicit Impl(const Scene& source);
-  ~Impl() {
-    for (RTCScene group : group_scenes) rtcReleaseScene(group);
-    if (scene != nullptr) rtcReleaseScene(scene);
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -131,47 +133,47 @@ Tracer::Impl::Impl(const Scene& source) {
   for (const Group& group : source.groups)
     for (const Shape& shape : group.shapes) check_shape(source, shape);
 
-  device = rtcNewDevice(nullptr);
+  device.reset(rtcNewDevice(nullptr));
   if (device == nullptr) throw LimitError("Embree could not be started on this machine");
   // Watertight edges matter where a ray must cross a closed surface in pairs; elsewhere the faster test will do.
   const RTCSceneFlags flags = has_glass_mesh(source) ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE;
   const auto new_scene = [&] {
-    RTCScene made = rtcNewScene(device);
-    rtcSetSceneFlags(made, flags);
-    rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_HIGH);
+    EmbreeScene made(rtcNewScene(device.get()));
+    rtcSetSceneFlags(made.get(), flags);
+    rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_HIGH);
     return made;
   };
 
   scene = new_scene();
   for (const Shape& shape : source.shapes) {
-    attach(scene, shape);
+    attach(scene.get(), shape);
     place(source, shape, glm::mat4(1));
   }
   top_level_shapes = static_cast<std::uint32_t>(source.shapes.size());
   for (const Group& group : source.groups) {
     group_scenes.push_back(new_scene());
-    for (const Shape& shape : group.shapes) attach(group_scenes.back(), shape);
-    commit(group_scenes.back());
+    for (const Shape& shape : group.shapes) attach(group_scenes.back().get(), shape);
+    commit(group_scenes.back().get());
   }
   for (const Instance& instance : source.instances) {
     if (instance.group >= source.groups.size())
       throw std::invalid_argument(fmt::format("there is no group {}", instance.group));
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, group_scenes[instance.group]);
+    RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, group_scenes[instance.group].get());
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.to_world[0][0]);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometry(scene.get(), geometry);
     rtcReleaseGeometry(geometry);
     first_of_instance.push_back(static_cast<std::uint32_t>(placed.size()));
     for (const Shape& shape : source.groups[instance.group].shapes) place(source, shape, instance.to_world);
   }
-  commit(scene);
+  commit(scene.get());
 }
 
 void Tracer::Impl::attach(RTCScene target, const Shape& shape) {
   RTCGeometry geometry = nullptr;
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-    geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh->positions.size()));
     std::copy(mesh->positions.begin(), mesh->positions.end(), vertices);
@@ -180,7 +182,7 @@ void Tracer::Impl::attach(RTCScene target, const Shape& shape) {
     std::copy(mesh->triangles.begin(), mesh->triangles.end(), triangles);
   } else {
     const auto& sphere = std::get<Sphere>(shape.geometry);
-    geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
     auto* data = static_cast<glm::vec4*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), 1));
     *data = glm::vec4(sphere.center, sphere.radius);
@@ -243,7 +245,7 @@ void Tracer::Impl::place(const Scene& source, const Shape& shape, const glm::mat
 
 void Tracer::Impl::commit(RTCScene target) const {
   rtcCommitScene(target);
-  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+  if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
     throw LimitError(error == RTC_ERROR_OUT_OF_MEMORY
                          ? std::string("the scene does not fit into memory")
                          : fmt::format("Embree could not build the scene (error {})", static_cast<int>(error)));
@@ -258,13 +260,13 @@ const std::vector<Emitter>& Tracer::emitters() const {
 
 glm::vec3 Tracer::bounds_low() const {
   RTCBounds b;
-  rtcGetSceneBounds(impl_->scene, &b);
+  rtcGetSceneBounds(impl_->scene.get(), &b);
   return {b.lower_x, b.lower_y, b.lower_z};
 }
 
 glm::vec3 Tracer::bounds_high() const {
   RTCBounds b;
-  rtcGetSceneBounds(impl_->scene, &b);
+  rtcGetSceneBounds(impl_->scene.get(), &b);
   return {b.upper_x, b.upper_y, b.upper_z};
 }
 
@@ -285,7 +287,7 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(impl_->scene, &context, &query);
+  rtcIntersect1(impl_->scene.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   const Placed& p = impl_->placed_at(query.hit);
@@ -341,7 +343,7 @@ bool Tracer::is_occluded(glm::vec3 from, glm::vec3 to) const {
   query.mask = ~0u;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(impl_->scene, &context, &query);
+  rtcOccluded1(impl_->scene.get(), &context, &query);
   return query.tfar < 0;
 }
 
@@ -357,7 +359,7 @@ bool Tracer::is_occluded(const Ray& ray) const {
   query.mask = ~0u;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(impl_->scene, &context, &query);
+  rtcOccluded1(impl_->scene.get(), &context, &query);
   return query.tfar < 0;
 }
 
