@@ -31,11 +31,11 @@ void declare(CLI::App& command, LatticeOptions& options) {
   command.add_flag("--svg", options.svg, "print a picture");
   add_conditions(command, options.conditions);
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 std::vector<taxonomy::NamedLanguage> languages_of(const LatticeOptions& options, const Settings& settings) {
-  std::vector<taxonomy::Grammar> grammars = find_grammars(options.grammars, "GRAMMAR");
+  std::vector<taxonomy::Grammar> grammars = find_grammars(options.grammars, "GRAMMAR", settings);
   if (grammars.empty()) grammars = taxonomy::builtin_grammars().grammars;
   const taxonomy::Language possible = taxonomy::possible_words(conditions_of(options.conditions));
   std::vector<taxonomy::NamedLanguage> languages;

@@ -21,7 +21,7 @@ struct MinimizeOptions {
 void declare(CLI::App& command, MinimizeOptions& options) {
   command.add_option("EXPR", options.expression, "name, .grammar file or expression")->required();
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {Scope::Glossy});
+  add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
 ExitCode run(const MinimizeOptions& options) {
