@@ -6,6 +6,7 @@
 #include <heckbert/taxonomy/dialect_reader.h>
 #include <heckbert/taxonomy/explain.h>
 #include <heckbert/taxonomy/regular_expression.h>
+#include <heckbert/taxonomy/simplest.h>
 #include <heckbert/taxonomy/tree_language.h>
 
 namespace heckbert::taxonomy {
@@ -107,9 +108,16 @@ Writing write(const Language& language, const std::optional<Node>& tree, Dialect
   if (tree)
     if (auto text = checked(*tree, language, dialect)) return {std::move(*text), ""};
   if (std::string reason = why_not(language, target); !reason.empty()) return {"", std::move(reason)};
-  // Eliminated from the side where the dialect's letters for lights can differ.
-  if (const auto made = regular_expression(reverse(language)))
-    if (auto text = checked(reversed(*made), language, dialect)) return {std::move(*text), ""};
+  std::optional<std::string> best;
+  const auto offer = [&](const std::optional<Node>& made) {
+    auto text = made ? checked(*made, language, dialect) : std::nullopt;
+    if (text && (!best || text->size() < best->size())) best = std::move(text);
+  };
+  if (const auto text = simplest_expression(language)) offer(read_with_tree(*text, Dialect::Heckbert, {}, "").tree);
+  // From the eye, lights differ at the end only, where letters such as L and O that share symbols can be joined.
+  if (!best)
+    if (auto made = regular_expression(reverse(language))) offer(reversed(std::move(*made)));
+  if (best) return {std::move(*best), ""};
   return {"", "an expression of " + title + " for it would be longer than anybody reads"};
 }
 
