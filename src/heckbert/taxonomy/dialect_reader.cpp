@@ -40,7 +40,7 @@ Language paths(const Node& tree, Orientation orientation) {
     default:
       break;
   }
-  const Language from_eye = language_of(reversed(tree)) & Language::universe();
+  Language from_eye = language_of(reversed(tree)) & Language::universe();
   if (orientation == Orientation::CameraFirst) return from_eye;
   return from_eye | (language_of(tree) & Language::universe());
 }

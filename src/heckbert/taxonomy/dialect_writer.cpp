@@ -52,7 +52,7 @@ Word mapped(Word word, Symbol from, Symbol to) {
 /// For a sentence: a long word without its middle.
 std::string shown(const Word& word) {
   constexpr std::size_t kLongest = 60, kKept = 20;
-  const std::string text = fine(word);
+  std::string text = fine(word);
   if (text.size() <= kLongest) return text;
   return text.substr(0, kKept) + "..." + text.substr(text.size() - kKept);
 }
@@ -88,7 +88,7 @@ std::string empty_text(const DialectFacts& dialect) {
 /// `tree` from light to eye in the dialect, when it is read there as exactly the language.
 std::optional<std::string> checked(const Node& tree, const Language& language, Dialect dialect) {
   const bool from_eye = facts(dialect).orientation == Orientation::CameraFirst;
-  const auto text = print(from_eye ? reversed(tree) : tree, facts(dialect));
+  auto text = print(from_eye ? reversed(tree) : tree, facts(dialect));
   if (!text) return std::nullopt;
   try {
     if (read_expression(*text, dialect).language == language) return text;
