@@ -37,6 +37,7 @@ const std::vector<std::vector<std::string>> kPages{{},
                                                    {"grammar", "minimize"},
                                                    {"grammar", "strategies"},
                                                    {"grammar", "lattice"},
+                                                   {"grammar", "phases"},
                                                    {"scene", "list"},
                                                    {"scene", "check"}};
 
@@ -68,6 +69,28 @@ TEST(CommandLinePage, IsWhatTheHelpPagesSay) {
 TEST(CommandLinePage, FitsATerminalOf100Columns) {
   std::istringstream page(command_line_page());
   for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
+// ---- docs/phases.md -------------------------------------------------------------------------------------------------
+
+std::string phases_page() {
+  std::string page =
+      "# From text to automaton\n\n"
+      "What becomes of an expression, made by running `heckbert grammar phases`; a test compares. First the tree of "
+      "the\n"
+      "text. Then its letters, numbered, with the letters that may follow each: an automaton that may go several ways\n"
+      "at once (Glushkov 1961). Then one that never does, each of its states a set of such letters. Last the minimal\n"
+      "one, the same for every expression of the same language, which is what the tool compares and counts with.\n";
+  for (const std::string expression : {"L(D|S)*DE", "LE | LDE | LD(D|S*D)+E", "LX*E - E(S*D)?L"})
+    page += fmt::format("\n## {0}\n\n```text\n$ heckbert grammar phases '{0}'\n{1}```\n", expression,
+                        run({"grammar", "phases", expression}).out);
+  return page;
+}
+
+TEST(PhasesPage, IsWhatTheToolSays) {
+  const char* file = HECKBERT_SOURCE_DIR "/docs/phases.md";
+  if (std::getenv("HECKBERT_UPDATE_DOCS") != nullptr) std::ofstream(file) << phases_page();
+  EXPECT_EQ(read_bytes(file), phases_page()) << "write it anew: HECKBERT_UPDATE_DOCS=1 cli_test";
 }
 
 // ---- docs/json.md -------------------------------------------------------------------------------------------------
@@ -147,6 +170,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       {"grammar", "minimize", "LDE", "--json"},
       {"grammar", "strategies", "LDE", "--json"},
       {"grammar", "lattice", "LDE", "L.E", "--json"},
+      {"grammar", "phases", "LDE", "--json"},
       {"scene", "list", "--json"},
       {"scene", "check", room, "--json"}};
   std::map<std::string, Keys> written;
@@ -156,7 +180,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
     ASSERT_TRUE(document.is_object()) << command[0] << outcome.err;
     collect(document, "", written[document["schema"].get<std::string>()]);
   }
-  ASSERT_EQ(written.size(), 22u);
+  ASSERT_EQ(written.size(), 23u);
   const std::map<std::string, Keys> sections = tables();
   for (const auto& [schema, keys] : written) {
     ASSERT_TRUE(sections.contains(schema)) << schema << " has no section in docs/json.md";

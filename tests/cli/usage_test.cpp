@@ -34,7 +34,8 @@ const std::vector<std::vector<std::string>> kCommands{{"render"},
                                                       {"grammar", "dot"},
                                                       {"grammar", "minimize"},
                                                       {"grammar", "strategies"},
-                                                      {"grammar", "lattice"}};
+                                                      {"grammar", "lattice"},
+                                                      {"grammar", "phases"}};
 
 TEST(Help, EveryCommandHasExamplesAndJson) {
   for (std::vector<std::string> command : kCommands) {

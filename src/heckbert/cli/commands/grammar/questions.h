@@ -24,5 +24,6 @@ void add_grammar_dot(CLI::App& family, Run& chosen);
 void add_grammar_minimize(CLI::App& family, Run& chosen);
 void add_grammar_strategies(CLI::App& family, Run& chosen);
 void add_grammar_lattice(CLI::App& family, Run& chosen);
+void add_grammar_phases(CLI::App& family, Run& chosen);
 
 }  // namespace heckbert::cli

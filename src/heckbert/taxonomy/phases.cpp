@@ -1,0 +1,210 @@
+#include <heckbert/taxonomy/phases.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/expression_ends.h>
+#include <heckbert/taxonomy/expression_parser.h>
+#include <heckbert/taxonomy/live.h>
+#include <heckbert/taxonomy/tree_language.h>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+std::string name_of(const Node& node) {
+  switch (node.kind) {
+    case NodeKind::Letters:
+      return write(node.set);
+    case NodeKind::Sequence:
+      return "sequence";
+    case NodeKind::Alternation:
+      return "one of";
+    case NodeKind::Repeat:
+      return "repeat " + std::to_string(node.at_least) +
+             (node.at_most ? " to " + std::to_string(*node.at_most) : " or more");
+    case NodeKind::Name:
+      return "@" + node.name;
+    case NodeKind::Both:
+      return "both of";
+    case NodeKind::Without:
+      return "first without second";
+    case NodeKind::Complement:
+      return "all but";
+    case NodeKind::Bad:
+      break;
+  }
+  return "error";
+}
+
+void write_tree(const Node& node, std::size_t depth, std::string& text) {
+  text += std::string(2 * depth, ' ') + name_of(node) + "\n";
+  for (const Node& child : node.children) write_tree(child, depth + 1, text);
+}
+
+using Positions = std::set<std::size_t>;
+
+// Letters of a tree numbered from 1 in the order of the text; 0 is the start.
+class Glushkov {
+ public:
+  explicit Glushkov(const Node& tree) {
+    const Fragment whole = add(tree);
+    follow_[0] = whole.first;
+    last_ = whole.last;
+    if (whole.may_be_empty) last_.insert(0);
+  }
+
+  std::size_t size() const { return sets_.size(); }
+  SymbolSet letters(std::size_t position) const { return sets_[position]; }
+  const Positions& follow(std::size_t position) const { return follow_[position]; }
+  bool accepts(const Positions& at) const {
+    return std::any_of(at.begin(), at.end(), [&](std::size_t p) { return last_.contains(p); });
+  }
+  Positions step(const Positions& at, Symbol s) const {
+    Positions next;
+    for (const std::size_t p : at)
+      for (const std::size_t q : follow_[p])
+        if (has(sets_[q], s)) next.insert(q);
+    return next;
+  }
+
+ private:
+  struct Fragment {
+    bool may_be_empty = true;
+    Positions first, last;
+  };
+
+  Fragment add(const Node& node) {
+    switch (node.kind) {
+      case NodeKind::Letters: {
+        if (sets_.size() > kMostPositions)
+          throw LimitError("the phases of an expression with more than " + std::to_string(kMostPositions) +
+                           " letters are not shown");
+        sets_.push_back(node.set);
+        follow_.emplace_back();
+        return {false, {sets_.size() - 1}, {sets_.size() - 1}};
+      }
+      case NodeKind::Alternation: {
+        Fragment all{false, {}, {}};
+        for (const Node& child : node.children) {
+          const Fragment one = add(child);
+          all.may_be_empty = all.may_be_empty || one.may_be_empty;
+          all.first.insert(one.first.begin(), one.first.end());
+          all.last.insert(one.last.begin(), one.last.end());
+        }
+        return all;
+      }
+      case NodeKind::Repeat:
+        return add_repeat(node);
+      default: {
+        Fragment all;
+        for (const Node& child : node.children) all = joined(std::move(all), add(child));
+        return all;
+      }
+    }
+  }
+
+  // Counts are written out: a{2,3} is a a a?, a{2,} is a a+.
+  Fragment add_repeat(const Node& node) {
+    Fragment all;
+    const unsigned copies = node.at_most.value_or(std::max(node.at_least, 1u));
+    for (unsigned i = 0; i < copies; ++i) {
+      Fragment one = add(node.children[0]);
+      if (!node.at_most && i + 1 == copies) link(one.last, one.first);
+      one.may_be_empty = one.may_be_empty || i >= node.at_least;
+      all = joined(std::move(all), one);
+    }
+    return all;
+  }
+
+  Fragment joined(Fragment left, const Fragment& right) {
+    link(left.last, right.first);
+    if (left.may_be_empty) left.first.insert(right.first.begin(), right.first.end());
+    if (!right.may_be_empty) left.last.clear();
+    left.last.insert(right.last.begin(), right.last.end());
+    left.may_be_empty = left.may_be_empty && right.may_be_empty;
+    return left;
+  }
+
+  void link(const Positions& from, const Positions& to) {
+    for (const std::size_t p : from) follow_[p].insert(to.begin(), to.end());
+  }
+
+  std::vector<SymbolSet> sets_{0};
+  std::vector<Positions> follow_{{}};
+  Positions last_;
+};
+
+std::string list_of(const Positions& positions) {
+  std::string text;
+  for (const std::size_t p : positions) text += (text.empty() ? "" : " ") + std::to_string(p);
+  return text;
+}
+
+PartPhases phases_of(const Node& tree, std::string expression) {
+  const Glushkov automaton(tree);
+  PartPhases part{std::move(expression), {}, {}, 0};
+  for (std::size_t p = 0; p < automaton.size(); ++p) {
+    part.positions += std::to_string(p) + " " + (p == 0 ? "start" : write(automaton.letters(p)));
+    if (!automaton.follow(p).empty()) part.positions += " -> " + list_of(automaton.follow(p));
+    part.positions += automaton.accepts({p}) ? " accepts\n" : "\n";
+  }
+  std::vector<Positions> sets{{0}};
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (sets.size() > kStateBudget) throw LimitError("the sets of letters are too many to show");
+    const Positions at = sets[i];
+    std::map<Positions, SymbolSet> edges;
+    for (const SymbolFacts& f : kSymbols)
+      if (Positions next = automaton.step(at, f.symbol); !next.empty()) edges[std::move(next)] |= single(f.symbol);
+    const std::string from = "{" + list_of(at) + "}";
+    if (automaton.accepts(at)) part.subsets += from + " accepts\n";
+    for (const auto& [next, set] : edges) {
+      part.subsets += from + " -" + write(set) + "-> {" + list_of(next) + "}\n";
+      if (std::find(sets.begin(), sets.end(), next) == sets.end()) sets.push_back(next);
+    }
+  }
+  part.deterministic = sets.size();
+  return part;
+}
+
+bool has_operators(const Node& node) {
+  return node.kind == NodeKind::Name || node.kind == NodeKind::Both || node.kind == NodeKind::Without ||
+         node.kind == NodeKind::Complement || std::any_of(node.children.begin(), node.children.end(), has_operators);
+}
+
+// The largest subtrees of letters, each light -> eye. The expression is known to be sound.
+void collect_parts(const Node& node, ExpressionSource& source, std::vector<PartPhases>& parts) {
+  if (node.kind == NodeKind::Name) return;
+  if (has_operators(node) || node.kind == NodeKind::Alternation) {
+    for (const Node& child : node.children) collect_parts(child, source, parts);
+    return;
+  }
+  const auto direction = check_ends(node, source);
+  parts.push_back(
+      phases_of(direction == Direction::EyeToLight ? reversed(node) : node, source.text(node.offset, node.length)));
+}
+
+}  // namespace
+
+Phases phases(std::string_view text, const Names& names, std::string_view source_name) {
+  const Language language = compile(text, names, source_name);
+  ExpressionSource source{source_name, text, 0, text.size(), {}};
+  const Node tree = parse_expression(source);
+  Phases result;
+  write_tree(tree, 0, result.tree);
+  collect_parts(tree, source, result.parts);
+  const std::vector<State>& states = language.states();
+  for (StateId q = 0; q < states.size(); ++q) {
+    if (states[q].accepting) result.minimal += std::to_string(q) + " accepts\n";
+    std::map<StateId, SymbolSet> edges;
+    for (const Symbol s : members(going_on(language, q))) edges[states[q].next[index(s)]] |= single(s);
+    for (const auto& [to, set] : edges)
+      result.minimal += std::to_string(q) + " -" + write(set) + "-> " + std::to_string(to) + "\n";
+    result.states += !is_dead(language, q);
+  }
+  return result;
+}
+
+}  // namespace heckbert::taxonomy
