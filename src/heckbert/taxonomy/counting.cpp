@@ -64,6 +64,7 @@ void trim(std::vector<std::int64_t>& polynomial) {
 
 std::optional<GeneratingFunction> guess(const std::vector<Natural>& counts, std::uint32_t prime) {
   std::vector<Residue> s;
+  s.reserve(counts.size());
   for (const Natural& n : counts) s.push_back(n.modulo(prime));
   const Recurrence recurrence = shortest_recurrence(s, prime);
   if (2 * recurrence.order > counts.size()) return std::nullopt;
@@ -107,7 +108,9 @@ std::string write(const std::vector<std::int64_t>& polynomial) {
       text += c < 0 ? " - " : " + ";
     const std::string size = std::to_string(c < 0 ? -c : c);
     const std::string x = n == 0 ? "" : n == 1 ? "x" : "x^" + std::to_string(n);
-    text += x.empty() ? size : (size == "1" ? "" : size + " ") + x;
+    if (x.empty() || size != "1") text += size;
+    if (!x.empty() && size != "1") text += ' ';
+    text += x;
   }
   return text.empty() ? "0" : text;
 }
@@ -152,7 +155,8 @@ std::optional<GeneratingFunction> generating_function(const Language& language) 
 }
 
 std::string write(const GeneratingFunction& function) {
-  const std::string above = write(function.numerator), below = write(function.denominator);
+  const std::string below = write(function.denominator);
+  std::string above = write(function.numerator);
   if (below == "1") return above;
   return (is_one_term(above) ? above : "(" + above + ")") + " / " + (is_one_term(below) ? below : "(" + below + ")");
 }
