@@ -37,7 +37,7 @@ void declare(CLI::App& command, CountOptions& options) {
 /// The words to count: in the letters asked for, with every end kept apart.
 taxonomy::Language counted(const CountOptions& options, const Operand& asked, taxonomy::Conditions conditions) {
   conditions.max_length.reset();
-  const taxonomy::Language language = asked.language & taxonomy::possible_words(conditions);
+  taxonomy::Language language = asked.language & taxonomy::possible_words(conditions);
   if (options.conditions.letters.empty()) return language;
   std::vector<taxonomy::SymbolSet> letters = letters_of(options.conditions);
   for (const taxonomy::Symbol s : taxonomy::members(taxonomy::kLights | taxonomy::kEyes))
