@@ -119,10 +119,4 @@ std::string grammar_text(const Grammar& grammar, const TextStyle& style) {
   return text;
 }
 
-std::string grammar_json(const Grammar& grammar) {
-  Json document = document_of("heckbert.grammar");
-  document["grammar"] = to_json(grammar);
-  return dump(document);
-}
-
 }  // namespace heckbert::report

@@ -16,7 +16,5 @@ std::string grammar_list_json(const taxonomy::GrammarLibrary& library);
 
 /// One grammar with all that its file says, the size of its automaton and its shortest word.
 std::string grammar_text(const taxonomy::Grammar& grammar, const TextStyle& style = {});
-/// Schema "heckbert.grammar".
-std::string grammar_json(const taxonomy::Grammar& grammar);
 
 }  // namespace heckbert::report

@@ -1,9 +1,9 @@
 #include <heckbert/taxonomy/dialect_parser.h>
 
 #include <algorithm>
-#include <array>
 
 #include <heckbert/taxonomy/dialect_letters.h>
+#include <heckbert/taxonomy/lookalikes.h>
 #include <heckbert/taxonomy/utf8.h>
 
 namespace heckbert::taxonomy {
@@ -25,20 +25,6 @@ bool is_repetition(char c) {
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
-
-// Letters of other alphabets that look like one of a light path expression; "C<\u0422[GS]>" stands in a vendor's
-// manual.
-struct Homoglyph {
-  char32_t code;
-  std::string_view alphabet;
-  char meant;
-};
-constexpr std::array kHomoglyphs{
-    Homoglyph{U'\u0421', "Cyrillic", 'C'}, Homoglyph{U'\u0422', "Cyrillic", 'T'}, Homoglyph{U'\u0412', "Cyrillic", 'B'},
-    Homoglyph{U'\u041E', "Cyrillic", 'O'}, Homoglyph{U'\u0405', "Cyrillic", 'S'}, Homoglyph{U'\u0415', "Cyrillic", 'E'},
-    Homoglyph{U'\u0455', "Cyrillic", 's'}, Homoglyph{U'\u03A4', "Greek", 'T'},    Homoglyph{U'\u0392', "Greek", 'B'},
-    Homoglyph{U'\u039F', "Greek", 'O'},    Homoglyph{U'\u0395', "Greek", 'E'},
-};
 
 class DialectParser {
  public:
@@ -362,11 +348,9 @@ class DialectParser {
     if (c == '\'' || c == '"') return read_label();
     const Utf8Character character = utf8_at(source_.document.substr(0, end_), at_);
     at_ += character.length;
-    for (const Homoglyph& h : kHomoglyphs)
-      if (h.code == character.code)
-        return report(begin, character.length,
-                      "a " + std::string(h.alphabet) + " letter that looks like " + std::string(1, h.meant),
-                      Edit{begin, character.length, std::string(1, h.meant)});
+    if (const Lookalike* l = find_lookalike(character.code))
+      return report(begin, character.length, std::string(l->what),
+                    Edit{begin, character.length, std::string(l->meant)});
     if (c == '>' || c == ']' || c == ')' || c == '}')
       return report(begin, 1, quoted(std::string(1, c)) + " closes nothing", Edit{begin, 1, ""});
     if (c == '|') return report(begin, 1, "an empty alternative");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <heckbert/taxonomy/lookalikes.h>
 #include <heckbert/taxonomy/utf8.h>
 
 namespace heckbert::taxonomy {
@@ -53,37 +54,6 @@ SymbolSet letter_set(char c) {
 SymbolSet subscripted_set(char letter, char subscript) {
   return symbols_where([=](const SymbolFacts& f) { return f.letter == letter && f.subscript == subscript; });
 }
-
-// Letters that look like ours and are not; people paste them from slides and papers.
-struct Lookalike {
-  char32_t code;
-  std::string_view what;
-  std::string_view meant;
-};
-constexpr std::array kLookalikes{
-    Lookalike{U'\u0421', "a Cyrillic letter that looks like C", "C"},
-    Lookalike{U'\u0415', "a Cyrillic letter that looks like E", "E"},
-    Lookalike{U'\u0405', "a Cyrillic letter that looks like S", "S"},
-    Lookalike{U'\u0425', "a Cyrillic letter that looks like X", "X"},
-    Lookalike{U'\u0395', "a Greek letter that looks like E", "E"},
-    Lookalike{U'\u039D', "a Greek letter that looks like N", "N"},
-    Lookalike{U'\u03A7', "a Greek letter that looks like X", "X"},
-    Lookalike{U'\u0430', "a Cyrillic letter that looks like a", "a"},
-    Lookalike{U'\u0440', "a Cyrillic letter that looks like p", "p"},
-    Lookalike{U'\u0435', "a Cyrillic letter that looks like e", "e"},
-    Lookalike{U'\u00A0', "a no-break space", " "},
-    Lookalike{U'\u200B', "an invisible space", ""},
-    Lookalike{U'\uFEFF', "an invisible byte order mark", ""},
-    Lookalike{U'\u2212', "a minus sign that is not '-'", "-"},
-    Lookalike{U'\u2013', "a dash that is not '-'", "-"},
-    Lookalike{U'\u2014', "a dash that is not '-'", "-"},
-    Lookalike{U'\u2217', "an asterisk that is not '*'", "*"},
-    Lookalike{U'\u00D7', "a times sign", "*"},
-    Lookalike{U'\u222A', "the sign of union", "|"},
-    Lookalike{U'\u2229', "the sign of intersection", "&"},
-    Lookalike{U'\u00AC', "the sign of negation", "!"},
-    Lookalike{U'\u2216', "the sign of difference", "-"},
-};
 
 // Characters of other notations and what is written here instead.
 struct Foreign {
@@ -253,12 +223,11 @@ class TokenReader {
                      did_you_mean(std::string(1, static_cast<char>(character.code - 0xFF01 + '!'))));
       return character.length;
     }
-    for (const Lookalike& l : kLookalikes)
-      if (l.code == character.code) {
-        source_.report(at_, character.length, std::string(l.what),
-                       l.meant.empty() ? "delete it" : did_you_mean(l.meant));
-        return character.length;
-      }
+    if (const Lookalike* l = find_lookalike(character.code)) {
+      source_.report(at_, character.length, std::string(l->what),
+                     l->meant.empty() ? "delete it" : did_you_mean(l->meant));
+      return character.length;
+    }
     source_.report(
         at_, character.length,
         "unknown letter " + quoted(rest().substr(0, character.length)) + "; expected " + std::string(kLettersExpected));
