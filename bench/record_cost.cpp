@@ -1,6 +1,6 @@
 // What recording every word costs: the time of a render with the record on over its time with the record off (nothing
-// spelt, one colour added per contribution), same scene, same seed, in turn; the median of the ratios of each pair, since
-// the speed of a machine drifts. Also the peak memory of either.
+// spelt, one colour added per contribution), same scene, same seed, in turn; the median of the ratios of each pair,
+// since the speed of a machine drifts. Also the peak memory of either.
 //
 // Usage: record_cost [ROUNDS [SAMPLES_PER_PIXEL [SIZE]]]     defaults 5 64 512
 
@@ -66,10 +66,11 @@ int main(int argc, char** argv) {
       }));
       ratios.push_back(with.back() / without.back());
     }
-    fmt::print("{} {}x{}, {} samples, {} rounds: record on {:.2f} s, off {:.2f} s, ratio on/off {:.3f} ({:.3f} to {:.3f});"
-               " {} words, {:.1f} entries per pixel; peak memory {:.0f} MB, {:.0f} MB before the first record\n",
-               name, size, size, samples, rounds, median(with), median(without), median(ratios),
-               *std::min_element(ratios.begin(), ratios.end()), *std::max_element(ratios.begin(), ratios.end()), words,
-               static_cast<double>(entries) / (static_cast<double>(size) * size), peak_memory(), memory_without);
+    fmt::print(
+        "{} {}x{}, {} samples, {} rounds: record on {:.2f} s, off {:.2f} s, ratio on/off {:.3f} ({:.3f} to {:.3f});"
+        " {} words, {:.1f} entries per pixel; peak memory {:.0f} MB, {:.0f} MB before the first record\n",
+        name, size, size, samples, rounds, median(with), median(without), median(ratios),
+        *std::min_element(ratios.begin(), ratios.end()), *std::max_element(ratios.begin(), ratios.end()), words,
+        static_cast<double>(entries) / (static_cast<double>(size) * size), peak_memory(), memory_without);
   }
 }

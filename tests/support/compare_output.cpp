@@ -54,9 +54,8 @@ bool alike(const std::string& expected, const std::string& actual) {
   const auto e = number(expected), a = number(actual);
   if (!e || !a) return false;
   const std::size_t point = expected.find('.');
-  const double last_place = point == std::string::npos
-                                ? 0.0
-                                : std::pow(10.0, -static_cast<double>(expected.size() - point - 1));
+  const double last_place =
+      point == std::string::npos ? 0.0 : std::pow(10.0, -static_cast<double>(expected.size() - point - 1));
   return std::abs(*e - *a) <= std::max(kRelative * std::abs(*e), 2 * last_place);
 }
 
