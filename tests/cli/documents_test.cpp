@@ -15,32 +15,6 @@
 namespace heckbert::cli::testing {
 namespace {
 
-const std::vector<std::vector<std::string>> kPages{{},
-                                                   {"render"},
-                                                   {"coverage"},
-                                                   {"query"},
-                                                   {"classify"},
-                                                   {"report"},
-                                                   {"match"},
-                                                   {"grammar", "list"},
-                                                   {"grammar", "show"},
-                                                   {"grammar", "equal"},
-                                                   {"grammar", "subset"},
-                                                   {"grammar", "translate"},
-                                                   {"grammar", "disjoint"},
-                                                   {"grammar", "partition"},
-                                                   {"grammar", "words"},
-                                                   {"grammar", "count"},
-                                                   {"grammar", "identify"},
-                                                   {"grammar", "explain"},
-                                                   {"grammar", "dot"},
-                                                   {"grammar", "minimize"},
-                                                   {"grammar", "strategies"},
-                                                   {"grammar", "lattice"},
-                                                   {"grammar", "phases"},
-                                                   {"scene", "list"},
-                                                   {"scene", "check"}};
-
 std::string help_of(std::vector<std::string> command) {
   command.emplace_back("--help");
   return run(command).out;
@@ -54,7 +28,9 @@ std::string command_line_page() {
       "`render` object, the tool's default. A config file has one `name = value` a line, the names being\n"
       "those of the long flags. Of `--spp` and `--time`, and of `--quiet` and `--verbose`, one given in a\n"
       "stronger layer hides the other in weaker ones.\n";
-  for (const auto& command : kPages)
+  std::vector<std::vector<std::string>> pages = kCommands;
+  pages.insert(pages.begin(), std::vector<std::string>{});  // heckbert itself
+  for (const auto& command : pages)
     page += fmt::format("\n## heckbert{}{}\n\n```text\n{}```\n", command.empty() ? "" : " ", fmt::join(command, " "),
                         help_of(command));
   return page;

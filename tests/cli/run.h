@@ -48,4 +48,30 @@ class TemporaryFolder {
 
 std::string read_bytes(const std::filesystem::path& path);
 
+/// Every command of the tool; the tests of help, documents and --json go through all of them.
+inline const std::vector<std::vector<std::string>> kCommands{{"render"},
+                                                             {"coverage"},
+                                                             {"query"},
+                                                             {"classify"},
+                                                             {"report"},
+                                                             {"match"},
+                                                             {"grammar", "list"},
+                                                             {"grammar", "show"},
+                                                             {"grammar", "equal"},
+                                                             {"grammar", "subset"},
+                                                             {"grammar", "translate"},
+                                                             {"grammar", "disjoint"},
+                                                             {"grammar", "partition"},
+                                                             {"grammar", "words"},
+                                                             {"grammar", "count"},
+                                                             {"grammar", "identify"},
+                                                             {"grammar", "explain"},
+                                                             {"grammar", "dot"},
+                                                             {"grammar", "minimize"},
+                                                             {"grammar", "strategies"},
+                                                             {"grammar", "lattice"},
+                                                             {"grammar", "phases"},
+                                                             {"scene", "list"},
+                                                             {"scene", "check"}};
+
 }  // namespace heckbert::cli::testing

@@ -13,30 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::vector<std::vector<std::string>> kCommands{{"render"},
-                                                      {"coverage"},
-                                                      {"query"},
-                                                      {"classify"},
-                                                      {"report"},
-                                                      {"match"},
-                                                      {"grammar", "list"},
-                                                      {"grammar", "show"},
-                                                      {"scene", "list"},
-                                                      {"grammar", "equal"},
-                                                      {"scene", "check"},
-                                                      {"grammar", "subset"},
-                                                      {"grammar", "disjoint"},
-                                                      {"grammar", "partition"},
-                                                      {"grammar", "words"},
-                                                      {"grammar", "count"},
-                                                      {"grammar", "identify"},
-                                                      {"grammar", "explain"},
-                                                      {"grammar", "dot"},
-                                                      {"grammar", "minimize"},
-                                                      {"grammar", "strategies"},
-                                                      {"grammar", "lattice"},
-                                                      {"grammar", "phases"}};
-
 TEST(Help, EveryCommandHasExamplesAndJson) {
   for (std::vector<std::string> command : kCommands) {
     command.emplace_back("--help");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/dialect_letters.h>
 #include <heckbert/taxonomy/lookalikes.h>
 #include <heckbert/taxonomy/utf8.h>
@@ -10,20 +11,8 @@ namespace heckbert::taxonomy {
 
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_lower(char c) {
-  return c >= 'a' && c <= 'z';
-}
 bool is_repetition(char c) {
   return c == '*' || c == '+' || c == '?' || c == '{';
-}
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
 }
 
 class DialectParser {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/lookalikes.h>
 #include <heckbert/taxonomy/utf8.h>
 
@@ -10,25 +11,10 @@ namespace heckbert::taxonomy {
 
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_lower(char c) {
-  return c >= 'a' && c <= 'z';
-}
-bool is_upper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
 bool is_name(char c) {
   return is_lower(c) || is_upper(c) || is_digit(c) || c == '-' || c == '_';
 }
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
 std::string did_you_mean(std::string_view text) {
   return "did you mean " + quoted(text) + "?";
 }

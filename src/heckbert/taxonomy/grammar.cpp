@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/expression_compiler.h>
 #include <heckbert/taxonomy/symbol_set.h>
@@ -81,9 +82,6 @@ const KeyFacts& key_facts(Key key) {
 std::string_view key_name(Key key) {
   return key_facts(key).name;
 }
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
 std::string did_you_mean(std::string_view written, const std::vector<std::string>& known) {
   const std::string near = nearest(written, known);
   return near.empty() ? "" : "did you mean '" + near + "'?";
@@ -100,9 +98,6 @@ std::string listed(const std::vector<std::string>& names, std::string_view betwe
   for (const std::string& name : names)
     list += (list.empty() ? "" : std::string(between)) + std::string(mark) + name + std::string(mark);
   return list;
-}
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/taxonomy/utf8.h>
@@ -12,13 +13,6 @@ namespace heckbert::taxonomy {
 namespace {
 
 constexpr std::string_view kSource = "word";
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-bool is_lower(char c) {
-  return c >= 'a' && c <= 'z';
-}
 
 std::string subscripts_of(char letter) {
   std::string list;

@@ -207,7 +207,6 @@ ExitCode run(const RenderOptions& options) {
   Work work;
   record::Record record = trace(imported.scene, render, console, interrupt.stop(), work);
   record.info.scene = options.scene;
-  record.info.version = HECKBERT_VERSION;
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   write_outputs(outputs, record, classes, settings);
   tell_result(console, record, work, classes);
