@@ -46,9 +46,24 @@ struct Glushkov {
     return {a.may_be_empty && b.may_be_empty, a.may_be_empty ? both(a.first, b.first) : a.first,
             b.may_be_empty ? both(a.last, b.last) : b.last};
   }
+  static Part either(const Part& a, const Part& b) {
+    return {a.may_be_empty || b.may_be_empty, both(a.first, b.first), both(a.last, b.last)};
+  }
   Part letter(char c) {
     const std::size_t p = add(c);
     return {false, {p}, {p}};
+  }
+  // Every round has positions of its own.
+  Part repeated(const Regex& regex, unsigned at_least, std::optional<unsigned> at_most) {
+    Part all{true, {}, {}};
+    const unsigned rounds = at_most ? *at_most : at_least + 1;
+    for (unsigned i = 0; i < rounds; ++i) {
+      Part round = read(regex);
+      if (!at_most && i + 1 == rounds) link(round.last, round.first);
+      round.may_be_empty = round.may_be_empty || i >= at_least;
+      all = concat(all, round);
+    }
+    return all;
   }
   Part read(const Regex& regex) {
     switch (regex.kind) {
@@ -60,8 +75,15 @@ struct Glushkov {
       }
       case Kind::Either: {
         const Part a = read(*regex.left), b = read(*regex.right);
-        return {a.may_be_empty || b.may_be_empty, both(a.first, b.first), both(a.last, b.last)};
+        return either(a, b);
       }
+      case Kind::Set: {
+        Part any = letter(regex.letters.front());
+        for (const char c : regex.letters.substr(1)) any = either(any, letter(c));
+        return any;
+      }
+      case Kind::Repeat:
+        return repeated(*regex.left, regex.at_least, regex.at_most);
       default:
         break;
     }

@@ -14,6 +14,7 @@ int precedence(Kind kind) {
     case Kind::Concat:
       return 1;
     case Kind::Letter:
+    case Kind::Set:
       return 3;
     default:
       return 2;
@@ -30,6 +31,8 @@ bool match(const Regex& regex, std::string_view word, std::size_t at, const std:
   switch (regex.kind) {
     case Kind::Letter:
       return at < word.size() && word[at] == regex.letter && go_on(at + 1);
+    case Kind::Set:
+      return at < word.size() && regex.letters.find(word[at]) != std::string::npos && go_on(at + 1);
     case Kind::Concat:
       return match(*regex.left, word, at, [&](std::size_t middle) { return match(*regex.right, word, middle, go_on); });
     case Kind::Either:
@@ -43,6 +46,16 @@ bool match(const Regex& regex, std::string_view word, std::size_t at, const std:
     case Kind::Plus: {
       const Regex star{Kind::Star, 0, regex.left, nullptr};
       return match(*regex.left, word, at, [&](std::size_t end) { return match(star, word, end, go_on); });
+    }
+    case Kind::Repeat: {
+      if (regex.at_least == 0 && go_on(at)) return true;
+      if (regex.at_most == 0u) return false;
+      Regex rest = regex;
+      if (rest.at_least > 0) --rest.at_least;
+      if (rest.at_most) --*rest.at_most;
+      // As for Star: once the rounds asked for are over, one that reads nothing finds nothing new.
+      return match(*regex.left, word, at,
+                   [&](std::size_t end) { return (end > at || regex.at_least > 0) && match(rest, word, end, go_on); });
     }
   }
   return false;
@@ -79,6 +92,13 @@ std::string print(const Regex& regex, bool everywhere) {
       return operand(*regex.left, 2, everywhere) + "+";
     case Kind::Option:
       return operand(*regex.left, 2, everywhere) + "?";
+    case Kind::Set:
+      return "[" + regex.letters + "]";
+    case Kind::Repeat: {
+      std::string count = std::to_string(regex.at_least);
+      if (regex.at_most != regex.at_least) count += "," + (regex.at_most ? std::to_string(*regex.at_most) : "");
+      return operand(*regex.left, 2, everywhere) + "{" + count + "}";
+    }
   }
   return {};
 }
