@@ -6,6 +6,7 @@
 // All samples of a pixel arrive together.
 
 #include <cstdint>
+#include <span>
 
 #include <heckbert/record/rgb.h>
 #include <heckbert/taxonomy/word_trie.h>
@@ -35,6 +36,10 @@ class PathSink {
   virtual void begin_sample(int x, int y, int sample) = 0;
   /// NaN, infinite and negative values are counted as rejected, never added.
   virtual void add(const Contribution& contribution) = 0;
+  /// All of them, in their order: one call per sample is cheaper than one per path.
+  virtual void add(std::span<const Contribution> contributions) {
+    for (const Contribution& contribution : contributions) add(contribution);
+  }
   virtual void add_non_path(NonPath buffer, Rgb value) = 0;
   virtual void end_path(PathEnd end) = 0;
 

@@ -62,6 +62,10 @@ void TileRecorder::add(const Contribution& contribution) {
   ++(contribution.technique == Technique::Hit ? tile_.tally.hits : tile_.tally.next_events);
 }
 
+void TileRecorder::add(std::span<const Contribution> contributions) {
+  for (const Contribution& contribution : contributions) add(contribution);
+}
+
 void TileRecorder::add_non_path(NonPath buffer, Rgb value) {
   if (!accept(value)) return;
   std::vector<Rgb>& pixels = buffer == NonPath::Ambient ? tile_.ambient : tile_.phantom;

@@ -41,6 +41,7 @@ class TileRecorder final : public PathSink {
 
   void begin_sample(int x, int y, int sample) override;
   void add(const Contribution& contribution) override;
+  void add(std::span<const Contribution> contributions) override;
   void add_non_path(NonPath buffer, Rgb value) override;
   void end_path(PathEnd end) override;
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -39,9 +40,20 @@ struct Release {
 using Device = std::unique_ptr<RTCDeviceTy, Release>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, Release>;
 
+/// What the shading of a triangle needs, before its shape is placed, in one cache line: read through the lists of the
+/// mesh it would be five.
+struct alignas(64) Face {
+  glm::vec3 corner, edge1, edge2;
+  glm::vec3 normal;  ///< unit
+  float size = 0;    ///< largest offset along an edge
+  std::uint32_t material = 0;
+};
+
 /// A placed shape: what the shading of a hit needs, found by instance and geometry id.
 struct Placed {
   const Shape* shape = nullptr;
+  const Face* faces = nullptr;  ///< of a mesh
+  bool is_moved = false;        ///< `to_world` is not the identity
   glm::mat4 to_world{1};
   glm::mat3 normal_to_world{1};
   float flip = 1;                       ///< -1 when the transform mirrors, which turns the front of triangles round
@@ -56,6 +68,7 @@ struct Tracer::Impl {
   Device device;
   EmbreeScene scene;
   std::vector<EmbreeScene> group_scenes;
+  std::map<const Shape*, std::vector<Face>> faces;  ///< of the meshes
   std::vector<Placed> placed;
   std::vector<std::uint32_t> first_of_instance;  ///< of the top-level geometry id: where its shapes begin in `placed`
   std::uint32_t top_level_shapes = 0;
@@ -104,6 +117,22 @@ bool emits(const Scene& scene, std::uint32_t material) {
 std::uint32_t face_material(const Shape& shape, std::size_t triangle) {
   const auto& mesh = std::get<Mesh>(shape.geometry);
   return mesh.face_materials.empty() ? shape.material : mesh.face_materials[triangle];
+}
+
+std::vector<Face> faces_of(const Shape& shape) {
+  const auto& mesh = std::get<Mesh>(shape.geometry);
+  std::vector<Face> faces(mesh.triangles.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    Face& face = faces[i];
+    face.corner = mesh.positions[t.x];
+    face.edge1 = mesh.positions[t.y] - face.corner;
+    face.edge2 = mesh.positions[t.z] - face.corner;
+    face.normal = glm::normalize(glm::cross(face.edge1, face.edge2));
+    face.size = std::max(max_component(face.edge1), max_component(face.edge2));
+    face.material = face_material(shape, i);
+  }
+  return faces;
 }
 
 bool has_glass_mesh(const Scene& scene) {
@@ -180,6 +209,7 @@ void Tracer::Impl::attach(RTCScene target, const Shape& shape) {
     auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh->triangles.size()));
     std::copy(mesh->triangles.begin(), mesh->triangles.end(), triangles);
+    faces.emplace(&shape, faces_of(shape));
   } else {
     const auto& sphere = std::get<Sphere>(shape.geometry);
     geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
@@ -196,6 +226,8 @@ void Tracer::Impl::place(const Scene& source, const Shape& shape, const glm::mat
   Placed p;
   p.shape = &shape;
   p.to_world = to_world;
+  p.is_moved = to_world != glm::mat4(1);
+  if (const auto found = faces.find(&shape); found != faces.end()) p.faces = found->second.data();
   const glm::mat3 linear(to_world);
   p.normal_to_world = glm::transpose(glm::inverse(linear));
   p.flip = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
@@ -293,23 +325,30 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
   const Placed& p = impl_->placed_at(query.hit);
   Hit hit;
   if (const auto* mesh = std::get_if<Mesh>(&p.shape->geometry)) {
-    const glm::uvec3& t = mesh->triangles[query.hit.primID];
-    const auto vertex = [&](std::uint32_t i) { return glm::vec3(p.to_world * glm::vec4(mesh->positions[i], 1.0f)); };
-    const glm::vec3 v0 = vertex(t.x), v1 = vertex(t.y), v2 = vertex(t.z);
-    const float u = query.hit.u, v = query.hit.v, w = 1.0f - u - v;
-    hit.position = w * v0 + u * v1 + v * v2;
-    const glm::vec3 edge1 = v1 - v0, edge2 = v2 - v0;
-    hit.normal_geometric = p.flip * glm::normalize(glm::cross(edge1, edge2));
+    const Face& face = p.faces[query.hit.primID];
+    const float u = query.hit.u, v = query.hit.v;
+    float size = face.size;
+    if (p.is_moved) {
+      const glm::mat3 linear(p.to_world);
+      const glm::vec3 edge1 = linear * face.edge1, edge2 = linear * face.edge2;
+      hit.position = glm::vec3(p.to_world * glm::vec4(face.corner, 1.0f)) + u * edge1 + v * edge2;
+      hit.normal_geometric = p.flip * glm::normalize(glm::cross(edge1, edge2));
+      size = std::max(max_component(edge1), max_component(edge2));
+    } else {
+      hit.position = face.corner + u * face.edge1 + v * face.edge2;
+      hit.normal_geometric = face.normal;
+    }
     hit.front = glm::dot(ray.direction, hit.normal_geometric) < 0;
     hit.normal_shading = hit.normal_geometric;
     if (!mesh->normals.empty()) {
+      const glm::uvec3& t = mesh->triangles[query.hit.primID];
       const glm::vec3 n =
-          p.normal_to_world * (w * mesh->normals[t.x] + u * mesh->normals[t.y] + v * mesh->normals[t.z]);
+          p.normal_to_world * ((1.0f - u - v) * mesh->normals[t.x] + u * mesh->normals[t.y] + v * mesh->normals[t.z]);
       if (const float length = glm::length(n); length > 0)
         hit.normal_shading = glm::dot(n, hit.normal_geometric) < 0 ? -n / length : n / length;
     }
-    hit.error = clearance(hit.position, p.extent, std::max(max_component(edge1), max_component(edge2)));
-    hit.material = mesh->face_materials.empty() ? p.shape->material : mesh->face_materials[query.hit.primID];
+    hit.error = clearance(hit.position, p.extent, size);
+    hit.material = face.material;
     if (!p.emitters.empty()) hit.emitter = p.emitters[query.hit.primID];
   } else {
     const auto& sphere = std::get<Sphere>(p.shape->geometry);

@@ -127,6 +127,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const auto work = [&](const tbb::blocked_range<int>&) {
     auto worker = make_worker();
     record::PathSink& sink = worker.sink();
+    std::vector<record::Contribution> found;
     for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
       const Window& tile = tiles[number];
       std::uint64_t rays = 0;
@@ -135,9 +136,14 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
       for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1 && !stopped(); ++x, ++pixels)
           for (int sample = 0; sample < settings.samples_per_pixel; ++sample) {
-            Walk walk{.sink = sink, .sampler = Sampler(settings.seed, x, y, sample), .wants_words = wants_words};
+            Walk walk{.sink = sink,
+                      .found = found,
+                      .sampler = Sampler(settings.seed, x, y, sample),
+                      .wants_words = wants_words};
             sink.begin_sample(x, y, sample);
+            found.clear();
             trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);
+            sink.add(found);
             rays += walk.rays;
           }
       worker.end(number);
@@ -160,6 +166,9 @@ class PictureSink final : public record::PathSink {
                             static_cast<std::size_t>(x - w.x0)];
   }
   void add(const record::Contribution& contribution) override { *pixel_ += contribution.value; }
+  void add(std::span<const record::Contribution> contributions) override {
+    for (const record::Contribution& contribution : contributions) *pixel_ += contribution.value;
+  }
   void add_non_path(record::NonPath, Rgb) override {}
   void end_path(record::PathEnd) override {}
 

@@ -81,7 +81,8 @@ Ray Vertex::leave(glm::vec3 wi, bool transmitted) const {
 void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
                          Rgb throughput, const DirectLight& rule) {
   estimate_direct_light(world, walk, vertex, rule, [&](const Lobe& lobe, taxonomy::Symbol kind, Rgb value) {
-    walk.sink.add({walk.step(walk.step(node, letter(lobe)), kind), throughput * value, record::Technique::NextEvent});
+    walk.found.push_back(
+        {walk.step(walk.step(node, letter(lobe)), kind), throughput * value, record::Technique::NextEvent});
   });
 }
 
@@ -92,7 +93,7 @@ Rgb direct_light(const World& world, Walk& walk, const Vertex& vertex, const Dir
 }
 
 void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol light, Rgb value) {
-  walk.sink.add({walk.step(node, light), value, record::Technique::Hit});
+  walk.found.push_back({walk.step(node, light), value, record::Technique::Hit});
 }
 
 }  // namespace heckbert::transport

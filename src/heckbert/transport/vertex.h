@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include <heckbert/record/path_sink.h>
 #include <heckbert/transport/eye.h>
@@ -27,6 +28,7 @@ struct World {
 /// What one camera sample carries along.
 struct Walk {
   record::PathSink& sink;
+  std::vector<record::Contribution>& found;  ///< by this sample; handed to the sink together when it ends
   Sampler sampler;
   bool wants_words = true;  ///< false when only the picture is asked for: nothing is spelt then
   std::uint64_t rays = 0;
