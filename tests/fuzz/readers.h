@@ -2,7 +2,11 @@
 // What all fuzz targets do: read a text, and accept exactly the errors that a reader may give.
 
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
 #include <string_view>
 
 #include <heckbert/taxonomy/error.h>
@@ -13,18 +17,54 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Aborts when `read` throws anything but the user's errors, or an error that says nothing or points beside the text.
+/// Ends the program, which libFuzzer takes as a finding, with a word on what is wrong.
+[[noreturn]] inline void fail(const char* what) {
+  std::fprintf(stderr, "%s\n", what);
+  std::abort();
+}
+inline void require(bool holds, const char* otherwise) {
+  if (!holds) fail(otherwise);
+}
+
+/// What `read` gives, or nothing when the text is wrong. Fails when it throws anything but the user's errors, or an
+/// error that says nothing or points beside the text. What is done with the answer belongs outside: there an error is
+/// a finding.
 template <class Read>
-void expect_answer(Read read) {
+auto answer(Read read) -> std::optional<decltype(read())> {
   try {
-    read();
+    return read();
   } catch (const InputError& error) {
-    if (error.diagnostics().empty()) std::abort();
-    for (const Diagnostic& d : error.diagnostics())
-      if (d.message.empty() || (d.line != 0 && (d.column == 0 || d.length == 0))) std::abort();
-  } catch (const LimitError&) {
-    // A budget was exceeded, within the time that libFuzzer is told.
+    require(!error.diagnostics().empty(), "an error without a diagnostic");
+    for (const Diagnostic& d : error.diagnostics()) {
+      require(!d.message.empty(), "a diagnostic without a message");
+      require(d.line == 0 || (d.column != 0 && d.length != 0), "a diagnostic without a place in its line");
+    }
+  } catch (const ReadError& error) {
+    require(*error.what() != 0, "an error without a message");
+  } catch (const LimitError& error) {
+    require(*error.what() != 0, "an error without a message");
   }
+  return std::nullopt;
+}
+
+/// A file with these bytes, for readers that take a path; gone when the program ends.
+inline const std::filesystem::path& scratch_file(std::string_view bytes, std::string_view ending) {
+  struct Scratch {
+    std::filesystem::path folder, file;
+    explicit Scratch(std::string_view end) {
+      std::string name = (std::filesystem::temp_directory_path() / "heckbert-fuzz-XXXXXX").string();
+      require(mkdtemp(name.data()) != nullptr, "no scratch folder");
+      folder = name;
+      file = folder / ("input" + std::string(end));
+    }
+    ~Scratch() {
+      std::error_code ignored;
+      std::filesystem::remove_all(folder, ignored);
+    }
+  };
+  static const Scratch scratch(ending);
+  std::ofstream(scratch.file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return scratch.file;
 }
 
 }  // namespace heckbert::fuzz
