@@ -20,6 +20,31 @@ run(${CMAKE_COMMAND} --build "${SCRATCH_DIR}/build")
 foreach(component IN LISTS COMPONENTS)
   run("${SCRATCH_DIR}/build/use_${component}")
 endforeach()
+
+# Words and languages need no renderer: taxonomy installed by itself, the packages of all other layers out of reach, and
+# the example for authors of renderers built from outside.
+run(${CMAKE_COMMAND} --install "${BUILD_DIR}" --prefix "${SCRATCH_DIR}/taxonomy_prefix" --component taxonomy)
+set(out_of_reach "")
+foreach(package embree TBB glm OpenEXR Imath fmt PNG nlohmann_json tinyobjloader)
+  list(APPEND out_of_reach "-DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON")
+endforeach()
+run(${CMAKE_COMMAND} -S "${CONSUMER_DIR}" -B "${SCRATCH_DIR}/taxonomy_build" -G "${GENERATOR}" ${out_of_reach} ${flags}
+  "-DCMAKE_PREFIX_PATH=${SCRATCH_DIR}/taxonomy_prefix" -DCOMPONENTS=taxonomy "-DEXAMPLE=${EXAMPLE}.cpp")
+run(${CMAKE_COMMAND} --build "${SCRATCH_DIR}/taxonomy_build")
+run("${SCRATCH_DIR}/taxonomy_build/use_taxonomy")
+execute_process(COMMAND "${SCRATCH_DIR}/taxonomy_build/example" RESULT_VARIABLE result OUTPUT_VARIABLE output)
+file(READ "${EXAMPLE}.expected" expected)
+if(NOT result EQUAL 0 OR NOT output STREQUAL expected)
+  message(FATAL_ERROR "the example built from outside: ${result}\n${output}")
+endif()
+# The same packages are missed where they are needed, so they were out of reach indeed.
+execute_process(COMMAND ${CMAKE_COMMAND} -S "${CONSUMER_DIR}" -B "${SCRATCH_DIR}/unreachable" -G "${GENERATOR}"
+  ${out_of_reach} "-DCMAKE_PREFIX_PATH=${SCRATCH_DIR}/prefix" -DCOMPONENTS=record
+  RESULT_VARIABLE result ERROR_VARIABLE output OUTPUT_QUIET)
+if(result EQUAL 0)
+  message(FATAL_ERROR "record was found with its packages out of reach")
+endif()
+
 # A component that was not installed is refused with a sentence.
 execute_process(COMMAND ${CMAKE_COMMAND} -S "${CONSUMER_DIR}" -B "${SCRATCH_DIR}/refused" -G "${GENERATOR}"
   "-DCMAKE_PREFIX_PATH=${SCRATCH_DIR}/prefix" -DCOMPONENTS=nonesuch RESULT_VARIABLE result ERROR_VARIABLE output OUTPUT_QUIET)

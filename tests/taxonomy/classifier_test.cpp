@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <heckbert/taxonomy/classifier.h>
+#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/expression.h>
 #include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/symbol_set.h>
 
@@ -22,36 +25,155 @@ std::vector<Word> some_words() {
   return words;
 }
 
-TEST(Classifier, AnswersAsEachLanguageDoesWhateverTheBudget) {
+std::vector<Language> all_grammars() {
   std::vector<Language> languages;
   for (const Grammar& g : builtin_grammars().grammars)
     if (has_language(g)) languages.push_back(g.language);
   languages.push_back(Language::none());
   languages.push_back(Language::universe());
-  const auto words = some_words();
-  ASSERT_EQ(words.size(), 1u + 7 + 49 + 343 + 2401);
-  std::vector<std::size_t> group_counts;
-  for (const std::size_t budget : {kStateBudget, std::size_t{40}, std::size_t{10}, std::size_t{1}}) {
-    const Classifier classifier(languages, budget);
-    EXPECT_EQ(classifier.language_count(), languages.size());
-    group_counts.push_back(classifier.group_count());
-    for (const Word& word : words) {
-      const Membership membership = classifier.classify(word);
-      ASSERT_EQ(membership.size(), languages.size());
-      for (std::size_t i = 0; i < languages.size(); ++i)
-        ASSERT_EQ(membership[i], languages[i].contains(word)) << fine(word) << " in language " << i;
+  return languages;
+}
+
+/// "exactly n events of this kind": independent of one another, so their states multiply.
+std::vector<Language> counting_questions() {
+  std::vector<Language> languages;
+  for (const char* letter : {"Dr", "Dt", "Gr", "Gt", "Sr", "St", "V"})
+    for (const char* count : {"1", "2"}) {
+      const std::string others = std::string("[^") + letter + "]*";
+      languages.push_back(compile("L " + others + "(" + letter + others + "){" + count + "} E"));
     }
+  return languages;
+}
+
+Classifier::Prefix walk(const Classifier& classifier, const Word& word, WalkFrom from) {
+  std::vector<Symbol> letters{word.light};
+  letters.insert(letters.end(), word.events.begin(), word.events.end());
+  letters.push_back(word.eye);
+  if (from == WalkFrom::Eye) std::reverse(letters.begin(), letters.end());
+  Classifier::Prefix at = classifier.start();
+  for (const Symbol s : letters) at = classifier.step(at, s);
+  return at;
+}
+
+Membership outcomes_at(const Classifier& classifier, Classifier::Prefix at) {
+  Membership membership(classifier.language_count());
+  for (std::size_t g = 0; g < classifier.group_count(); ++g) {
+    const auto bits = classifier.members(classifier.outcome(at, g), g);
+    for (std::size_t i = 0; i < membership.size(); ++i)
+      if (bits[i / 64] >> i % 64 & 1) membership[i] = true;
   }
-  EXPECT_EQ(group_counts.front(), 1u);
-  EXPECT_EQ(group_counts.back(), languages.size());
-  EXPECT_TRUE(std::is_sorted(group_counts.begin(), group_counts.end()));
-  EXPECT_GT(group_counts[2], 1u);
+  return membership;
+}
+
+// The slow twin: each language by itself.
+void expect_right_answers(const std::vector<Language>& languages, WalkFrom from, std::size_t budget) {
+  const Classifier classifier(languages, from, budget);
+  EXPECT_EQ(classifier.language_count(), languages.size());
+  for (const Word& word : some_words()) {
+    Membership expected;
+    for (const Language& language : languages) expected.push_back(language.contains(word));
+    ASSERT_EQ(classifier.classify(word), expected) << fine(word);
+    const auto at = walk(classifier, word, from);
+    ASSERT_EQ(outcomes_at(classifier, at), expected) << fine(word);
+    std::vector<std::size_t> members;
+    classifier.for_each_member(at, [&](std::size_t i) { members.push_back(i); });
+    ASSERT_TRUE(std::is_sorted(members.begin(), members.end()));
+    Membership listed(languages.size());
+    for (const std::size_t i : members) listed[i] = true;
+    ASSERT_EQ(listed, expected) << fine(word);
+  }
+}
+
+TEST(Classifier, AnswersAsEachLanguageDoesFromEitherEnd) {
+  ASSERT_EQ(some_words().size(), 1u + 7 + 49 + 343 + 2401);
+  const auto languages = all_grammars();
+  expect_right_answers(languages, WalkFrom::Light, kStateBudget);
+  expect_right_answers(languages, WalkFrom::Eye, kStateBudget);
+}
+
+TEST(Classifier, AnswersTheSameInGroups) {
+  const auto languages = all_grammars();
+  for (const WalkFrom from : {WalkFrom::Light, WalkFrom::Eye}) {
+    expect_right_answers(languages, from, 60);
+    EXPECT_GT(Classifier(languages, from, 60).group_count(), 1u);
+  }
+  const auto questions = counting_questions();
+  const Classifier grouped(questions, WalkFrom::Light, 100);
+  EXPECT_GT(grouped.group_count(), 2u);
+  EXPECT_LT(grouped.group_count(), questions.size());
+  expect_right_answers(questions, WalkFrom::Eye, 100);
+}
+
+TEST(Classifier, HasMoreGroupsTheSmallerTheBudget) {
+  const auto languages = all_grammars();
+  std::vector<std::size_t> counts;
+  for (const std::size_t budget : {kFusedStates, std::size_t{40}, std::size_t{10}, std::size_t{1}})
+    counts.push_back(Classifier(languages, WalkFrom::Light, budget).group_count());
+  EXPECT_EQ(counts.front(), 1u);
+  EXPECT_EQ(counts.back(), languages.size());
+  EXPECT_TRUE(std::is_sorted(counts.begin(), counts.end()));
+}
+
+TEST(Classifier, KeepsEveryGroupWithinItsBudget) {
+  const auto questions = counting_questions();
+  for (const std::size_t budget : {std::size_t{50}, std::size_t{200}, kStateBudget}) {
+    const Classifier classifier(questions, WalkFrom::Light, budget);
+    EXPECT_LE(classifier.state_count(), budget * classifier.group_count());
+  }
+}
+
+// A product of minimal automata has no state too many.
+TEST(Classifier, IsMinimal) {
+  // The start; between the ends, whether an S was met times whether the number of events is even; and after the eye,
+  // which of the two languages have the word, the dead end being neither.
+  const std::vector<Language> languages{compile("L .* S .* E"), compile("L (..)* E")};
+  EXPECT_EQ(Classifier(languages).state_count(), 1u + 2 * 2 + 2 * 2);
+}
+
+TEST(Classifier, RefusesToWalkMoreThanAPrefixHoldsAndStillClassifies) {
+  auto languages = counting_questions();
+  const auto more = all_grammars();
+  languages.insert(languages.end(), more.begin(), more.end());
+  const Classifier classifier(languages, WalkFrom::Light, 1);
+  EXPECT_EQ(classifier.group_count(), languages.size());
+  EXPECT_THROW(classifier.start(), LimitError);
+  for (const Word& word : some_words()) {
+    const Membership membership = classifier.classify(word);
+    for (std::size_t i = 0; i < languages.size(); ++i)
+      ASSERT_EQ(membership[i], languages[i].contains(word)) << fine(word) << " in language " << i;
+  }
+}
+
+TEST(Classifier, NamesTheLanguageThatIsTooLargeReadFromTheEye) {
+  const std::vector<Language> languages{compile("LDE"), compile("L .{14} D .* E")};
+  EXPECT_NO_THROW(Classifier(languages, WalkFrom::Light));
+  try {
+    const Classifier classifier(languages, WalkFrom::Eye);
+    FAIL() << classifier.state_count() << " states";
+  } catch (const LimitError& e) {
+    EXPECT_NE(std::string(e.what()).find("language 2 of 2"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Classifier, HoldsMoreLanguagesThanABlockHasBits) {
+  std::vector<Language> languages;
+  for (int n = 0; n < 100; ++n) languages.push_back(compile("L .{" + std::to_string(n) + "} E"));
+  const Classifier classifier(languages);
+  EXPECT_EQ(classifier.group_count(), 1u);
+  EXPECT_EQ(classifier.outcome_count(0), 101u);
+  for (std::size_t n = 0; n < 100; ++n) {
+    const Word word{Symbol::La, std::vector<Symbol>(n, Symbol::Gt), Symbol::El};
+    std::vector<std::size_t> members;
+    classifier.for_each_member(walk(classifier, word, WalkFrom::Light), [&](std::size_t i) { members.push_back(i); });
+    EXPECT_EQ(members, std::vector{n});
+  }
 }
 
 TEST(Classifier, OfNoLanguagesAnswersNothing) {
   const Classifier classifier({});
   EXPECT_EQ(classifier.language_count(), 0u);
   EXPECT_TRUE(classifier.classify(parse_word("LDE")).empty());
+  classifier.for_each_member(classifier.step(classifier.start(), Symbol::La), [](std::size_t) { FAIL(); });
 }
 
 }  // namespace

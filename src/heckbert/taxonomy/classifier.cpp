@@ -1,61 +1,85 @@
 #include <heckbert/taxonomy/classifier.h>
 
-#include <map>
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include <heckbert/taxonomy/error.h>
 
 namespace heckbert::taxonomy {
 
-std::optional<Classifier::Group> Classifier::product(std::span<const Language> languages, std::size_t first,
-                                                     std::size_t state_budget) {
-  Group group{first, languages.size(), {}, {}};
-  std::map<std::vector<StateId>, StateId> number;
-  std::vector<std::vector<StateId>> tuples;
-  const auto enter = [&](const std::vector<StateId>& tuple) {
-    const auto [at, is_new] = number.try_emplace(tuple, static_cast<StateId>(tuples.size()));
-    if (is_new) tuples.push_back(tuple);
-    return at->second;
-  };
-  enter(std::vector<StateId>(languages.size(), 0));
-  std::vector<StateId> next(languages.size());
-  for (std::size_t i = 0; i < tuples.size(); ++i) {
-    // One language alone is no product: its automaton is as large as it is.
-    if (tuples.size() > state_budget && languages.size() > 1) return std::nullopt;
-    group.next.emplace_back();
-    for (std::size_t s = 0; s < kSymbolCount; ++s) {
-      for (std::size_t k = 0; k < languages.size(); ++k) next[k] = languages[k].states()[tuples[i][k]].next[s];
-      group.next[i][s] = enter(next);
+namespace {
+
+std::vector<Language> reversed(std::span<const Language> languages) {
+  std::vector<Language> result;
+  for (const Language& language : languages) try {
+      result.push_back(reverse(language));
+    } catch (const LimitError& e) {
+      throw LimitError("language " + std::to_string(result.size() + 1) + " of " + std::to_string(languages.size()) +
+                       ", read from the eye: " + e.what());
     }
-    group.accepts.emplace_back(languages.size());
-    for (std::size_t k = 0; k < languages.size(); ++k)
-      group.accepts[i][k] = languages[k].states()[tuples[i][k]].accepting;
-  }
-  return group;
+  return result;
 }
 
-void Classifier::add_groups(std::span<const Language> languages, std::size_t first, std::size_t state_budget) {
-  if (languages.empty()) return;
-  if (auto group = product(languages, first, state_budget)) {
-    groups_.push_back(std::move(*group));
-    return;
-  }
-  const std::size_t half = languages.size() / 2;
-  add_groups(languages.first(half), first, state_budget);
-  add_groups(languages.subspan(half), first + half, state_budget);
+// Halves first: the automata that grow large are fused last. Halves that are in several groups themselves stay apart.
+std::vector<FusedAutomaton> fuse_neighbours(std::span<const FusedAutomaton> automata, std::size_t state_budget) {
+  if (automata.size() <= 1) return {automata.begin(), automata.end()};
+  std::vector<FusedAutomaton> left = fuse_neighbours(automata.first(automata.size() / 2), state_budget);
+  std::vector<FusedAutomaton> right = fuse_neighbours(automata.subspan(automata.size() / 2), state_budget);
+  if (left.size() == 1 && right.size() == 1)
+    if (auto fused = fuse(left[0], right[0], state_budget)) return {std::move(*fused)};
+  left.insert(left.end(), std::make_move_iterator(right.begin()), std::make_move_iterator(right.end()));
+  return left;
 }
 
-Classifier::Classifier(std::span<const Language> languages, std::size_t state_budget)
-    : language_count_(languages.size()) {
-  add_groups(languages, 0, state_budget);
+}  // namespace
+
+Classifier::Classifier(std::span<const Language> languages, WalkFrom from, std::size_t state_budget)
+    : language_count_(languages.size()), from_(from) {
+  const std::vector<Language> turned = from == WalkFrom::Eye ? reversed(languages) : std::vector<Language>{};
+  if (from == WalkFrom::Eye) languages = turned;
+  columns_ = shared_columns(languages);
+  std::vector<FusedAutomaton> single;
+  for (std::size_t i = 0; i < languages.size(); ++i) single.emplace_back(languages[i], columns_, i, languages.size());
+  for (FusedAutomaton& automaton : fuse_neighbours(single, std::min(state_budget, kFusedStates))) {
+    const auto bits = static_cast<unsigned>(std::bit_width(automaton.state_count() - 1));
+    groups_.push_back({std::move(automaton), prefix_bits_, (Prefix{1} << bits) - 1});
+    prefix_bits_ += bits;
+  }
+}
+
+Classifier::Prefix Classifier::start() const {
+  if (prefix_bits_ > 64)
+    throw LimitError("walking " + std::to_string(language_count_) + " languages at once takes " +
+                     std::to_string(group_count()) + " groups of states, more than 64 bits; classify distinct words");
+  return 0;  // the start of each group is its state 0
 }
 
 Membership Classifier::classify(const Word& word) const {
   Membership membership(language_count_);
-  for (const Group& group : groups_) {
-    StateId q = group.next[0][index(word.light)];
-    for (const Symbol s : word.events) q = group.next[q][index(s)];
-    q = group.next[q][index(word.eye)];
-    for (std::size_t k = 0; k < group.count; ++k) membership[group.first + k] = group.accepts[q][k];
+  std::vector<std::size_t> letters{columns_[index(word.light)]};
+  for (const Symbol s : word.events) letters.push_back(columns_[index(s)]);
+  letters.push_back(columns_[index(word.eye)]);
+  if (from_ == WalkFrom::Eye) std::reverse(letters.begin(), letters.end());
+  for (const Group& g : groups_) {
+    StateId at = 0;
+    for (const std::size_t column : letters) at = g.automaton.step(at, column);
+    const auto bits = g.automaton.members(g.automaton.outcome(at));
+    for (std::size_t i = 0; i < language_count_; ++i)
+      if (bits[i / 64] >> i % 64 & 1) membership[i] = true;
   }
   return membership;
+}
+
+std::size_t Classifier::state_count() const {
+  return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0},
+                         [](std::size_t sum, const Group& g) { return sum + g.automaton.state_count(); });
+}
+
+std::size_t Classifier::table_bytes() const {
+  return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0},
+                         [](std::size_t sum, const Group& g) { return sum + g.automaton.table_bytes(); });
 }
 
 }  // namespace heckbert::taxonomy

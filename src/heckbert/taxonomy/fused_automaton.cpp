@@ -1,0 +1,85 @@
+#include <heckbert/taxonomy/fused_automaton.h>
+
+#include <algorithm>
+#include <bit>
+#include <unordered_map>
+#include <utility>
+
+namespace heckbert::taxonomy {
+
+namespace {
+
+// Numbers pairs in the order in which they are met.
+class PairNumbering {
+ public:
+  std::size_t number(std::size_t a, std::size_t b) {
+    const auto [at, is_new] = numbers_.try_emplace(std::uint64_t{a} << 32 | b, pairs_.size());
+    if (is_new) pairs_.emplace_back(a, b);
+    return at->second;
+  }
+  const std::vector<std::pair<std::size_t, std::size_t>>& pairs() const { return pairs_; }
+
+ private:
+  std::unordered_map<std::uint64_t, std::size_t> numbers_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
+};
+
+}  // namespace
+
+Columns shared_columns(std::span<const Language> languages) {
+  const auto are_twins = [&](std::size_t s, std::size_t t) {
+    return std::all_of(languages.begin(), languages.end(), [&](const Language& language) {
+      return std::all_of(language.states().begin(), language.states().end(),
+                         [&](const State& state) { return state.next[s] == state.next[t]; });
+    });
+  };
+  Columns columns{};
+  std::uint8_t count = 0;
+  for (std::size_t s = 0; s < kSymbolCount; ++s) {
+    std::size_t twin = 0;
+    while (twin < s && !are_twins(twin, s)) ++twin;
+    columns[s] = twin < s ? columns[twin] : count++;
+  }
+  return columns;
+}
+
+FusedAutomaton::FusedAutomaton(std::size_t column_count, std::size_t language_total)
+    : column_count_(column_count),
+      row_shift_(static_cast<unsigned>(std::bit_width(column_count))),
+      blocks_((language_total + 63) / 64) {}
+
+std::span<std::uint16_t> FusedAutomaton::add_row() {
+  table_.resize(table_.size() + (std::size_t{1} << row_shift_));
+  return std::span(table_).last(std::size_t{1} << row_shift_);
+}
+
+FusedAutomaton::FusedAutomaton(const Language& language, const Columns& columns, std::size_t number, std::size_t total)
+    : FusedAutomaton(1u + *std::max_element(columns.begin(), columns.end()), total) {
+  members_.resize(2 * blocks_);  // outcome 0: not a member, 1: a member
+  members_[blocks_ + number / 64] = std::uint64_t{1} << number % 64;
+  for (const State& state : language.states()) {
+    const auto row = add_row();
+    for (std::size_t s = 0; s < kSymbolCount; ++s) row[columns[s]] = static_cast<std::uint16_t>(state.next[s]);
+    row[column_count_] = state.accepting ? 1 : 0;
+  }
+}
+
+std::optional<FusedAutomaton> fuse(const FusedAutomaton& a, const FusedAutomaton& b, std::size_t state_budget) {
+  FusedAutomaton fused(a.column_count_, 64 * a.blocks_);
+  PairNumbering states, outcomes;
+  states.number(0, 0);
+  for (std::size_t i = 0; i < states.pairs().size(); ++i) {
+    const auto p = static_cast<StateId>(states.pairs()[i].first), q = static_cast<StateId>(states.pairs()[i].second);
+    const auto row = fused.add_row();
+    for (std::size_t c = 0; c < a.column_count_; ++c)
+      row[c] = static_cast<std::uint16_t>(states.number(a.step(p, c), b.step(q, c)));
+    if (states.pairs().size() > state_budget) return std::nullopt;
+    row[a.column_count_] = static_cast<std::uint16_t>(outcomes.number(a.outcome(p), b.outcome(q)));
+  }
+  for (const auto& [in_a, in_b] : outcomes.pairs())
+    for (std::size_t block = 0; block < a.blocks_; ++block)
+      fused.members_.push_back(a.members(in_a)[block] | b.members(in_b)[block]);
+  return fused;
+}
+
+}  // namespace heckbert::taxonomy
