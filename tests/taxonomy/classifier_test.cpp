@@ -130,6 +130,13 @@ TEST(Classifier, IsMinimal) {
   EXPECT_EQ(Classifier(languages).state_count(), 1u + 2 * 2 + 2 * 2);
 }
 
+TEST(Classifier, KeepsOneColumnForLettersThatNoLanguageTellsApart) {
+  // L, D, other events, E and the outcome: five of the eight entries of a row.
+  const std::vector<Language> languages{compile("L D* E"), compile("L .* E")};
+  const Classifier classifier(languages);
+  EXPECT_EQ(classifier.table_bytes(), classifier.state_count() * 8 * sizeof(std::uint16_t));
+}
+
 TEST(Classifier, RefusesToWalkMoreThanAPrefixHoldsAndStillClassifies) {
   auto languages = counting_questions();
   const auto more = all_grammars();
