@@ -143,7 +143,7 @@ TEST(Twin, ClassifiersSayWhatTheMatcherSays) {
   std::vector<Language> languages;
   for (const Twin& twin : s.languages) languages.push_back(twin.language);
   for (const std::size_t budget : {kStateBudget, std::size_t{30}}) {
-    const Classifier classifier(languages, budget);
+    const Classifier classifier(languages, WalkFrom::Light, budget);
     EXPECT_EQ(classifier.group_count() == 1, budget == kStateBudget);
     for (std::size_t w = 0; w < s.words.size(); ++w) {
       const Membership membership = classifier.classify(word_of(s.words[w]));
