@@ -102,7 +102,7 @@ const Malformed kMalformed[] = {
      R"("type": "obj", "material": "grey", "file": ^"nowhere.obj")", "nowhere.obj: cannot read", "", "/shapes/0/file",
      ""},
     {R"("radius": 1)", R"("radius": 1, "transform": ^[{"scale": [1, 2, 1]}])", "stretches the sphere",
-     "put the sphere into a group", "/shapes/0/transform", ""},
+     "a stretched one can be a mesh", "/shapes/0/transform", ""},
     {R"("radius": 1)", R"("radius": 1, "transform": [{"scale": ^0}])", "flattens the shape", "",
      "/shapes/0/transform/0/scale", ""},
     {R"("radius": 1)", R"("radius": 1, "transform": [{"rotate": {"axis": ^[0, 0, 0], "degrees": 9}}])",

@@ -147,7 +147,7 @@ TEST(IntegratingSphere, SpreadsLightEvenlyWhateverTheAlbedos) {
 // The radiance of a floor point of albedo rho under a lamp of radiance Le is rho * Le * F.
 
 /// A floor seen from the side at a point below the origin, with the lamp's quad or fan above.
-record::Record point_below(std::variant<Mesh, Sphere> lamp, glm::vec3 point) {
+record::Record point_below(Geometry lamp, glm::vec3 point) {
   Scene scene;
   add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}), diffuse(0.5f));
   add(scene, std::move(lamp), emitter(2.0f));

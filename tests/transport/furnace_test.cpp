@@ -1,6 +1,6 @@
-// A2 of docs/anchors.md: in a closed box whose every surface emits one and reflects with constant albedos, the energy of a
-// word is the product of its letters' albedos, whatever the geometry, and every grammar's share is the value of its
-// generating function (furnace principle: Smits and Jensen, "Global Illumination Test Scenes").
+// A2 of docs/anchors.md: in a closed box whose every surface emits one and reflects with constant albedos, the energy
+// of a word is the product of its letters' albedos, whatever the geometry, and every grammar's share is the value of
+// its generating function (furnace principle: Smits and Jensen, "Global Illumination Test Scenes").
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@
 namespace heckbert::transport {
 
 /// One shape more, with a material of its own.
-inline void add(Scene& scene, std::variant<Mesh, Sphere> geometry, Material material) {
+inline void add(Scene& scene, Geometry geometry, Material material) {
   scene.materials.push_back(std::move(material));
   scene.shapes.push_back({.name = "",
                           .geometry = std::move(geometry),

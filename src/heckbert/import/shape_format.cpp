@@ -25,6 +25,7 @@ struct ShapeDraft {
   glm::vec3 low{0}, high{0};
   bool inward = false;
   glm::vec3 center{0};
+  glm::vec3 normal{0};
   float radius = 0;
   Mesh mesh;
   std::string file;
@@ -37,8 +38,6 @@ struct BuildContext {
   const std::filesystem::path& directory;
   Account& account;
 };
-
-using Geometry = std::variant<Mesh, Sphere>;
 
 struct ShapeKind {
   std::string name;
@@ -88,6 +87,13 @@ Geometry build_mesh(const BuildContext& b) {
     }
   }
   return mesh;
+}
+
+Geometry build_disk(const BuildContext& b) {
+  if (b.draft.normal == glm::vec3(0)) {
+    b.in.error(*b.node.find("normal"), "a disk needs a normal that is not zero");
+  }
+  return Disk{b.draft.center, b.draft.normal, b.draft.radius};
 }
 
 Geometry build_obj(const BuildContext& b) {
@@ -156,6 +162,12 @@ const std::vector<ShapeKind>& shape_kinds() {
        [](const BuildContext& b) -> Geometry {
          return Sphere{b.draft.center, b.draft.radius};
        }},
+      {"disk",
+       "Flat and round. Its front is the side that `normal` points to; its transform may not stretch it.",
+       {key("center", Vector{}, &D::center, kRequired, "middle"),
+        key("normal", Vector{}, &D::normal, kRequired, "at right angles to it, of any length"),
+        key("radius", Number{kPositive}, &D::radius, kRequired, "")},
+       build_disk},
       {"mesh",
        "Triangles in the file. The front is the side from which the corners run counter-clockwise.",
        {mesh_key("positions", Points{"list of [x, y, z]", read_points}, &Mesh::positions, kRequired, "corners"),
@@ -205,20 +217,29 @@ void place(Reader& in, const JsonNode& node, const glm::mat4& to_world, Geometry
     }
     return;
   }
-  Sphere& sphere = std::get<Sphere>(geometry);
+  const std::string what = std::holds_alternative<Disk>(geometry) ? "disk" : "sphere";
   const glm::mat3 linear(to_world);
   const float scale = glm::length(linear[0]);
   const glm::mat3 rest = glm::transpose(linear) * linear / (scale * scale) - glm::mat3(1);
   for (int i = 0; i < 9; ++i) {
     if (std::abs(rest[i / 3][i % 3]) > 1e-4f) {
-      in.error(node, "this transform stretches the sphere", "put the sphere into a group and stretch an instance");
+      in.error(node, "this transform stretches the " + what,
+               "move, turn or scale it evenly; a stretched one can be a mesh");
       return;
     }
   }
-  sphere.center = glm::vec3(to_world * glm::vec4(sphere.center, 1));
-  sphere.radius *= scale;
-  if (!is_in_range(sphere.center) || !kPositive.contains(static_cast<double>(sphere.radius))) {
-    in.error(node, "this transform moves the sphere out of range: coordinates are " + kCoordinate.describe());
+  const auto place_round = [&](auto& round) {
+    round.center = glm::vec3(to_world * glm::vec4(round.center, 1));
+    round.radius *= scale;
+    if (!is_in_range(round.center) || !kPositive.contains(static_cast<double>(round.radius))) {
+      in.error(node, "this transform moves the " + what + " out of range: coordinates are " + kCoordinate.describe());
+    }
+  };
+  if (Disk* disk = std::get_if<Disk>(&geometry)) {
+    disk->normal = linear * disk->normal;
+    place_round(*disk);
+  } else {
+    place_round(std::get<Sphere>(geometry));
   }
 }
 

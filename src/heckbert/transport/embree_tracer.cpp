@@ -13,6 +13,7 @@
 #include <glm/vec4.hpp>
 
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/transport/emitter.h>
 #include <heckbert/transport/tracer.h>
 
 namespace heckbert::transport {
@@ -57,7 +58,7 @@ struct Placed {
   glm::mat4 to_world{1};
   glm::mat3 normal_to_world{1};
   float flip = 1;                       ///< -1 when the transform mirrors, which turns the front of triangles round
-  float scale = 1;                      ///< of a similarity; only spheres read it
+  float scale = 1;                      ///< of a similarity; only spheres and disks read it
   float extent = 0;                     ///< largest offset of the transform: what its rounding is relative to
   std::vector<std::uint32_t> emitters;  ///< by primitive; empty: none emits
 };
@@ -105,6 +106,9 @@ void check_shape(const Scene& scene, const Shape& shape) {
     if (!mesh->face_materials.empty() && mesh->face_materials.size() != mesh->triangles.size())
       throw std::invalid_argument(fmt::format("shape '{}': needs one material per triangle", shape.name));
     for (std::uint32_t material : mesh->face_materials) check_material(material);
+  } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+    if (!(disk->radius > 0) || !(glm::length(disk->normal) > 0))
+      throw std::invalid_argument(fmt::format("shape '{}': a disk needs a radius above zero and a normal", shape.name));
   } else if (!(std::get<Sphere>(shape.geometry).radius > 0)) {
     throw std::invalid_argument(fmt::format("shape '{}': a sphere needs a radius above zero", shape.name));
   }
@@ -210,6 +214,12 @@ void Tracer::Impl::attach(RTCScene target, const Shape& shape) {
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh->triangles.size()));
     std::copy(mesh->triangles.begin(), mesh->triangles.end(), triangles);
     faces.emplace(&shape, faces_of(shape));
+  } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+    geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
+    *static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                                     sizeof(glm::vec4), 1)) = glm::vec4(disk->center, disk->radius);
+    *static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3,
+                                                     sizeof(glm::vec3), 1)) = glm::normalize(disk->normal);
   } else {
     const auto& sphere = std::get<Sphere>(shape.geometry);
     geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
@@ -234,43 +244,49 @@ void Tracer::Impl::place(const Scene& source, const Shape& shape, const glm::mat
   p.extent = max_component(glm::vec3(to_world[3]));
   const auto to_world_point = [&](glm::vec3 v) { return glm::vec3(to_world * glm::vec4(v, 1.0f)); };
 
+  const auto add_emitter = [&](std::size_t primitives, std::size_t first, std::size_t count, const Emitter& e) {
+    if (p.emitters.empty()) p.emitters.assign(primitives, kNoEmitter);
+    for (std::size_t i = first; i < first + count; ++i) p.emitters[i] = static_cast<std::uint32_t>(emitters.size());
+    emitters.push_back(e);
+  };
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+    const auto corner = [&](std::size_t triangle, int i) {
+      // A mirroring transform turns triangles round: two corners change places, and the front stays the front.
+      const int swapped = p.flip < 0 && i > 0 ? 3 - i : i;
+      return to_world_point(mesh->positions[mesh->triangles[triangle][swapped]]);
+    };
     for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
       const std::uint32_t material = face_material(shape, i);
       if (!emits(source, material)) continue;
-      const glm::uvec3& t = mesh->triangles[i];
-      Emitter e;
-      e.p0 = to_world_point(mesh->positions[t.x]);
-      e.p1 = to_world_point(mesh->positions[t.y]);
-      e.p2 = to_world_point(mesh->positions[t.z]);
-      if (p.flip < 0) std::swap(e.p1, e.p2);
-      e.area = 0.5f * glm::length(glm::cross(e.p1 - e.p0, e.p2 - e.p0));
-      e.error = clearance(e.p0, p.extent, std::max(max_component(e.p1 - e.p0), max_component(e.p2 - e.p0)));
-      e.material = material;
-      if (!(e.area > 0)) continue;
-      if (p.emitters.empty()) p.emitters.assign(mesh->triangles.size(), kNoEmitter);
-      p.emitters[i] = static_cast<std::uint32_t>(emitters.size());
-      emitters.push_back(e);
+      const Corners first{corner(i, 0), corner(i, 1), corner(i, 2)};
+      std::optional<Emitter> e;
+      if (i + 1 < mesh->triangles.size() && face_material(shape, i + 1) == material)
+        e = rectangle_emitter(first, {corner(i + 1, 0), corner(i + 1, 1), corner(i + 1, 2)});
+      const std::size_t count = e ? 2 : 1;
+      if (!e) e = triangle_emitter(first);
+      if (!(e->area > 0)) continue;
+      e->error = clearance(e->origin, p.extent, std::max(max_component(e->edge_u), max_component(e->edge_v)));
+      e->material = material;
+      add_emitter(mesh->triangles.size(), i, count, *e);
+      i += count - 1;
     }
   } else {
-    const auto& sphere = std::get<Sphere>(shape.geometry);
     p.scale = glm::length(linear[0]);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         if (std::abs(glm::dot(linear[i], linear[j]) - (i == j ? p.scale * p.scale : 0.0f)) > 1e-4f * p.scale * p.scale)
           throw std::invalid_argument(fmt::format(
-              "shape '{}': a sphere can be moved, turned and scaled evenly, but not stretched", shape.name));
-    if (emits(source, shape.material)) {
-      Emitter e;
-      e.is_sphere = true;
-      e.center = to_world_point(sphere.center);
-      e.radius = sphere.radius * p.scale;
-      e.area = 4.0f * std::numbers::pi_v<float> * e.radius * e.radius;
-      e.error = clearance(e.center, p.extent, e.radius);
-      e.material = shape.material;
-      p.emitters.push_back(static_cast<std::uint32_t>(emitters.size()));
-      emitters.push_back(e);
+              "shape '{}': a sphere or disk can be moved, turned and scaled evenly, but not stretched", shape.name));
+    Emitter e;
+    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+      e = disk_emitter(to_world_point(disk->center), p.normal_to_world * disk->normal, disk->radius * p.scale);
+    } else {
+      const auto& sphere = std::get<Sphere>(shape.geometry);
+      e = sphere_emitter(to_world_point(sphere.center), sphere.radius * p.scale);
     }
+    e.error = clearance(e.center, p.extent, e.radius);
+    e.material = shape.material;
+    if (emits(source, shape.material)) add_emitter(1, 0, 1, e);
   }
   placed.push_back(std::move(p));
 }
@@ -350,6 +366,17 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
     hit.error = clearance(hit.position, p.extent, size);
     hit.material = face.material;
     if (!p.emitters.empty()) hit.emitter = p.emitters[query.hit.primID];
+  } else if (const auto* disk = std::get_if<Disk>(&p.shape->geometry)) {
+    // Put back into its plane.
+    const glm::vec3 center(p.to_world * glm::vec4(disk->center, 1.0f));
+    hit.normal_geometric = glm::normalize(p.normal_to_world * disk->normal);
+    hit.position = ray.origin + query.ray.tfar * ray.direction;
+    hit.position -= glm::dot(hit.position - center, hit.normal_geometric) * hit.normal_geometric;
+    hit.front = glm::dot(ray.direction, hit.normal_geometric) < 0;
+    hit.normal_shading = hit.normal_geometric;
+    hit.error = clearance(hit.position, p.extent, disk->radius * p.scale);
+    hit.material = p.shape->material;
+    if (!p.emitters.empty()) hit.emitter = p.emitters.front();
   } else {
     const auto& sphere = std::get<Sphere>(p.shape->geometry);
     const glm::vec3 center(p.to_world * glm::vec4(sphere.center, 1.0f));

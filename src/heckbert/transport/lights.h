@@ -1,5 +1,5 @@
 #pragma once
-// All the light sources of a scene in one table, chosen by power: emitting triangles and spheres, point lights, the
+// All the light sources of a scene in one table: the pieces of area lights, point, spot and distant lights, the
 // environment. A sample says where the light is, how much arrives and with what density; the density of hitting the
 // same place by chance is asked separately, so that multiple importance weights can be formed (Veach 1997, 9.2).
 
@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <heckbert/taxonomy/symbol.h>
+#include <heckbert/transport/discrete_distribution.h>
+#include <heckbert/transport/environment.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/tracer.h>
 
@@ -17,17 +19,18 @@ struct LightSample {
   glm::vec3 direction{0};  ///< unit, from the shaded point to the light
   glm::vec3 target{0};     ///< where the shadow ray ends; unused when `infinite`
   bool infinite = false;
-  /// Radiance, or for a point light intensity over squared distance; before division by the density.
+  /// Radiance, or the irradiance that a delta light gives a surface facing it; before division by the density.
   Rgb radiance;
-  float pdf_solid_angle = 0;  ///< with the probability of choosing this light; for a point light that probability alone
-  bool is_delta = false;      ///< no ray can hit it by chance
+  /// With the probability of choosing this light; for a delta light that probability alone.
+  float pdf_solid_angle = 0;
+  bool is_delta = false;  ///< no ray can hit it by chance
 };
 
 class Lights {
  public:
   Lights(const Scene& scene, const Tracer& tracer);
 
-  bool empty() const { return cumulative_.empty(); }
+  bool empty() const { return groups_.empty(); }
   /// A light and a point on it as seen from `from`; nothing when the draw sends no light there.
   std::optional<LightSample> sample(glm::vec3 from, Sampler& sampler) const;
 
@@ -35,25 +38,26 @@ class Lights {
   Rgb emitted(const Hit& hit) const;
   /// Density with which sample() would have picked the hit point from `from`, per steradian.
   float pdf_solid_angle(const Hit& hit, glm::vec3 from) const;
-  /// The same for a direction that escapes to the environment.
-  float pdf_environment() const;
-  Rgb environment() const { return scene_.environment; }
+  /// Radiance that comes from infinitely far away in a direction, and the same density for it.
+  Rgb environment(glm::vec3 direction) const { return environment_.radiance(direction); }
+  float pdf_environment(glm::vec3 direction) const;
+  bool has_environment() const { return !environment_.is_black(); }
 
  private:
   struct Source {
-    enum class Type : std::uint8_t { Emitter, Point, Environment } type;
+    enum class Type : std::uint8_t { Emitter, Point, Spot, Distant, Environment } type;
     std::uint32_t index;
   };
-  float probability(std::size_t source) const {
-    return cumulative_[source] - (source == 0 ? 0.0f : cumulative_[source - 1]);
-  }
   Rgb emitted(std::uint32_t material, bool front) const;
+  std::optional<LightSample> sample_source(Source source, glm::vec3 from, glm::vec2 u) const;
 
   const Scene& scene_;
   const Tracer& tracer_;
-  std::vector<Source> sources_;    ///< emitters first, in the tracer's order
-  std::vector<float> cumulative_;  ///< of the choice probabilities, ends at 1
-  std::optional<std::size_t> environment_source_;
+  Environment environment_;
+  std::vector<Source> near_;  ///< those with a place; emitters first, in the tracer's order
+  std::vector<Source> far_;   ///< those infinitely far away; the environment last
+  DiscreteDistribution near_choice_;
+  DiscreteDistribution groups_;  ///< all of near_, then each of far_
 };
 
 }  // namespace heckbert::transport

@@ -106,8 +106,9 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
     ++walk.rays;
     const std::optional<Hit> hit = world.tracer.intersect(ray);
     if (!hit) {
-      if (const Rgb sky = world.lights.environment(); !is_black(sky)) {
-        const float weight = pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_environment()) : 1.0f;
+      if (const Rgb sky = world.lights.environment(ray.direction); !is_black(sky)) {
+        const float weight =
+            pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_environment(ray.direction)) : 1.0f;
         add_hit(walk, node, Symbol::Le, throughput * sky * weight);
       }
       return walk.sink.end_path(PathEnd::Escaped);

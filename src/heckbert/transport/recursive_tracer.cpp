@@ -30,7 +30,7 @@ class Tree {
     ++walk_.rays;
     const std::optional<Hit> hit = world_.tracer.intersect(branch.ray);
     if (!hit) {
-      add(branch, Symbol::Le, world_.lights.environment());
+      add(branch, Symbol::Le, world_.lights.environment(branch.ray.direction));
       return walk_.sink.end_path(PathEnd::Escaped);
     }
     add(branch, Symbol::La, world_.lights.emitted(*hit));

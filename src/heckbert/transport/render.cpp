@@ -43,6 +43,7 @@ void check(const Scene& scene, const RenderSettings& settings) {
           fmt::format("samples per pixel must be at least 1, not {}", settings.samples_per_pixel));
   require(settings.max_depth >= 0, fmt::format("the maximum depth must not be negative, like {}", settings.max_depth));
   require(settings.threads >= 0, fmt::format("the number of threads must not be negative, like {}", settings.threads));
+  require(settings.filter.radius > 0, "the radius of the pixel filter must be above 0");
   const Window w = picture_window(settings);
   require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= settings.width && w.y1 <= settings.height,
           fmt::format("the crop {},{},{},{} is not inside the {}x{} picture", w.x0, w.y0, w.x1, w.y1, settings.width,
@@ -115,7 +116,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const Tracer tracer(scene);
   const Lights lights(scene, tracer);
-  const Eye eye(scene.camera, settings.width, settings.height);
+  const Eye eye(scene.camera, settings.width, settings.height, settings.filter);
   const World world{scene, tracer, lights, eye, settings.max_depth};
 
   const Window window = picture_window(settings);

@@ -37,6 +37,7 @@ struct RenderSettings {
   int max_depth = 32;  ///< most scatterings per path
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
+  PixelFilter filter{};
 };
 
 struct Progress {

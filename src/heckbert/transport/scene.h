@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -92,9 +93,18 @@ struct Sphere {
   float radius = 1;
 };
 
+/// Flat and round; front is the side that `normal` points to.
+struct Disk {
+  glm::vec3 center{0};
+  glm::vec3 normal{0, 0, 1};  ///< of any length
+  float radius = 1;
+};
+
+using Geometry = std::variant<Mesh, Sphere, Disk>;
+
 struct Shape {
   std::string name{};
-  std::variant<Mesh, Sphere> geometry{};
+  Geometry geometry{};
   std::uint32_t material = 0;  ///< index into Scene::materials
 };
 
@@ -122,20 +132,67 @@ struct PointLight {
   Rgb intensity{1.0f};
 };
 
-/// Pinhole when `lens_radius` is zero, thin lens otherwise.
+/// A point light that shines into a cone: full intensity up to `falloff_degrees` from the axis, from there falling
+/// linearly with the angle to nothing at `cutoff_degrees` (as Mitsuba's spot does). Letter p, as for a point light.
+struct SpotLight {
+  glm::vec3 position{0};
+  glm::vec3 direction{0, 0, -1};  ///< of the axis, away from the light; of any length
+  Rgb intensity{1.0f};            ///< on the axis, W sr^-1
+  float cutoff_degrees = 20;      ///< half the opening angle, above 0, at most 180
+  float falloff_degrees = 15;     ///< from 0 to cutoff_degrees; equal to it: a hard edge
+};
+
+/// Parallel light from infinitely far away, such as the sun's without its disk. Letter d.
+struct DistantLight {
+  glm::vec3 direction{0, -1, 0};  ///< in which the light travels; of any length
+  Rgb irradiance{1.0f};           ///< on a surface that faces it, W m^-2
+};
+
+enum class Interpolation : std::uint8_t { Nearest, Bilinear };
+
+/// Radiance from infinitely far away as an equirectangular image, seen from inside with +y up: the left edge lies
+/// towards -z, then, to the right, follow +x, +z (in the middle) and -x.
+struct EnvironmentImage {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels{};  ///< row by row from the top
+  glm::mat3 to_world{1};      ///< a rotation, which may mirror too
+  Interpolation interpolation = Interpolation::Bilinear;
+};
+
+/// How the picture's plane becomes rays.
+enum class Projection : std::uint8_t {
+  Perspective,   ///< through a point or a lens
+  Orthographic,  ///< parallel to the viewing axis
+  Panoramic      ///< all directions from a point: longitude across, latitude down, the viewing axis in the middle
+};
+
+/// An eye. A perspective one is a pinhole (letter p) when `lens_radius` is zero, a thin lens (letter l) otherwise. The
+/// panoramic eye is a point, and the orthographic one a point infinitely far away: both have the letter p.
 struct Camera {
   glm::vec3 position{0, 0, 5};
   glm::vec3 look_at{0};
   glm::vec3 up{0, 1, 0};
-  float vertical_fov_degrees = 40;
-  float lens_radius = 0;
-  float focus_distance = 1;  ///< distance along the viewing axis that is in focus; read when lens_radius > 0
+  float vertical_fov_degrees = 40;  ///< perspective
+  float lens_radius = 0;            ///< perspective
+  float focus_distance = 1;         ///< distance along the viewing axis that is in focus; read when lens_radius > 0
+  Projection projection = Projection::Perspective;
+  float height = 2;  ///< orthographic: of the picture, in scene units
+};
+
+enum class FilterKind : std::uint8_t { Box, Tent, Gaussian, BlackmanHarris };
+
+/// The weight of a point of the picture for a pixel: one factor by its distance along x from the pixel's centre, one by
+/// that along y; nothing from `radius` on. The Gaussian has a standard deviation of a quarter of the radius (filter.h).
+struct PixelFilter {
+  FilterKind kind = FilterKind::Box;
+  float radius = 0.5f;  ///< in pixels
 };
 
 /// What the scene's author suggests; flags override each.
 struct RenderDefaults {
   std::optional<int> width, height, samples_per_pixel, max_depth;
   std::optional<std::uint64_t> seed;
+  std::optional<PixelFilter> filter;
 };
 
 struct Scene {
@@ -146,8 +203,11 @@ struct Scene {
   std::vector<Group> groups;
   std::vector<Instance> instances;
   std::vector<PointLight> point_lights;
-  Rgb environment;  ///< constant radiance from every direction; black: none
-  Rgb ambient;      ///< I_a of the recursive tracers' ambient term
+  std::vector<SpotLight> spot_lights;
+  std::vector<DistantLight> distant_lights;
+  Rgb environment;                                    ///< constant radiance from every direction; black: none
+  std::optional<EnvironmentImage> environment_image;  ///< comes on top of `environment`
+  Rgb ambient;                                        ///< I_a of the recursive tracers' ambient term
   Camera camera;
   RenderDefaults defaults;
 };

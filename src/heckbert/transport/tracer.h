@@ -15,6 +15,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <heckbert/transport/emitter.h>
 #include <heckbert/transport/scene.h>
 
 namespace heckbert::transport {
@@ -34,17 +35,6 @@ struct Hit {
   float error = 0;             ///< distance in scene units by which a ray leaving here must clear the surface
   std::uint32_t material = 0;
   std::uint32_t emitter = kNoEmitter;  ///< index into Tracer's emitters, when the surface emits
-};
-
-/// One piece of an area light, in world space: a triangle, or a sphere.
-struct Emitter {
-  bool is_sphere = false;
-  glm::vec3 p0{0}, p1{0}, p2{0};  ///< triangle
-  glm::vec3 center{0};            ///< sphere
-  float radius = 0;
-  float area = 0;
-  float error = 0;  ///< as Hit::error, for a shadow ray that ends here
-  std::uint32_t material = 0;
 };
 
 /// The hit's position moved off the surface to its front or its back. The side is the event's to say, not a cosine's:
