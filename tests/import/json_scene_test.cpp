@@ -49,14 +49,19 @@ glm::vec3 front(const Mesh& m, std::size_t triangle) {
 TEST(JsonMaterial, EachTypeBecomesItsLobe) {
   EXPECT_EQ(std::get<Lambert>(material_of(R"("type": "lambert", "albedo": [0.1, 0.2, 0.3])").lobes.at(0)).albedo,
             Rgb(0.1f, 0.2f, 0.3f));
-  EXPECT_EQ(std::get<Mirror>(material_of(R"("type": "mirror", "reflectance": 0.9)").lobes.at(0)).reflectance,
+  EXPECT_EQ(std::get<Rgb>(std::get<Mirror>(material_of(R"("type": "mirror", "reflectance": 0.9)").lobes.at(0)).fresnel),
             Rgb(0.9f));
   const auto glass = std::get<Dielectric>(material_of(R"("type": "dielectric", "transmission_tint": 0.8)").lobes.at(0));
   EXPECT_EQ(glass.ior, 1.5f);
   EXPECT_EQ(glass.reflection_tint, Rgb(1));
   EXPECT_EQ(glass.transmission_tint, Rgb(0.8f));
-  EXPECT_FLOAT_EQ(std::get<Ggx>(material_of(R"("type": "ggx", "f0": 0.9, "roughness": 0.5)").lobes.at(0)).alpha, 0.25f);
-  EXPECT_FLOAT_EQ(std::get<Ggx>(material_of(R"("type": "ggx", "f0": 0.9, "alpha": 0.5)").lobes.at(0)).alpha, 0.5f);
+  EXPECT_FLOAT_EQ(
+      std::get<MicrofacetReflection>(material_of(R"("type": "ggx", "f0": 0.9, "roughness": 0.5)").lobes.at(0))
+          .facets.alpha_x,
+      0.25f);
+  EXPECT_FLOAT_EQ(std::get<MicrofacetReflection>(material_of(R"("type": "ggx", "f0": 0.9, "alpha": 0.5)").lobes.at(0))
+                      .facets.alpha_y,
+                  0.5f);
   EXPECT_EQ(std::get<Phong>(material_of(R"("type": "phong", "reflectance": 0.4, "exponent": 20)").lobes.at(0)).exponent,
             20);
 }

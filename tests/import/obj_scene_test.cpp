@@ -36,7 +36,7 @@ Imported with_material(const std::string& mtl) {
 std::string letters(const Material& material) {
   std::string out;
   for (const Lobe& lobe : material.lobes) {
-    out += "DSTGP"[lobe.index()];
+    out += "D...ST.G.P"[lobe.index()];
   }
   return out;
 }

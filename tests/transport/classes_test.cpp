@@ -51,7 +51,7 @@ TEST(TwoLobes, GiveUnbiasedClassesUnderASmallLight) {
 }
 
 TEST(TwoLobes, GiveUnbiasedClassesUnderAConstantSky) {
-  const Lobe glossy = Ggx{Rgb(0.5f), 0.3f};
+  const Lobe glossy = ggx(Rgb(0.5f), 0.3f);
   Scene scene;
   add(scene, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}),
       {.name = "two lobes", .lobes = {Lambert{Rgb(0.4f)}, glossy}});

@@ -227,7 +227,7 @@ TEST(FormFactor, OfTheSkyBesideAWall) {
 TEST(Superposition, LightsOfEveryKindAddUpWordByWord) {
   Scene room;
   add(room, make_quad({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}),
-      {.name = "floor", .lobes = {Lambert{Rgb(0.3f)}, Ggx{Rgb(0.5f), 0.2f}}});
+      {.name = "floor", .lobes = {Lambert{Rgb(0.3f)}, ggx(Rgb(0.5f), 0.2f)}});
   add(room, make_quad({1.5f, 0, -2}, {0, 0, 4}, {0, 3, 0}), diffuse(0.6f));
   const std::size_t lamp = room.materials.size();
   add(room, Sphere{{-1.6f, 0.8f, 0}, 0.4f}, emitter(5));

@@ -26,7 +26,7 @@ Scene mixed_room() {
   add(scene, make_quad({-1.8f, -0.6f, -1.98f}, {1.2f, 0, 0}, {0, 1.2f, 0}), emitter(1));
   add(scene, Sphere{{0.5f, 0.1f, 0.4f}, 0.6f}, {.name = "glass", .lobes = {Dielectric{}}});
   add(scene, make_box({-1.5f, -1, -1.5f}, {1.5f, -0.9f, 1.5f}),
-      {.name = "glossy", .lobes = {Lambert{Rgb(0.3f)}, Ggx{Rgb(0.4f), 0.5f}}});
+      {.name = "glossy", .lobes = {Lambert{Rgb(0.3f)}, ggx(Rgb(0.4f), 0.5f)}});
   scene.camera = {.position = {1.6f, 0.2f, 1.8f}, .look_at = {-0.4f, 0.2f, -0.4f}, .vertical_fov_degrees = 80};
   return scene;
 }
@@ -282,7 +282,7 @@ TEST(Render, RefusesSettingsOutOfRange) {
   EXPECT_THROW(render(scene, {.max_depth = -1}), std::invalid_argument);
   EXPECT_THROW(render(scene, {.width = 64, .height = 64, .crop = record::Window{0, 0, 65, 10}}), std::invalid_argument);
   Scene too_smooth = scene;
-  too_smooth.materials.push_back({.name = "glossy", .lobes = {Ggx{Rgb(0.5f), 0}}});
+  too_smooth.materials.push_back({.name = "glossy", .lobes = {ggx(Rgb(0.5f), 0)}});
   EXPECT_THROW(render(too_smooth, {}), std::invalid_argument);
 }
 

@@ -13,6 +13,7 @@
 
 #include <heckbert/record/statistics.h>
 #include <heckbert/taxonomy/word.h>
+#include <heckbert/transport/material.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::transport {

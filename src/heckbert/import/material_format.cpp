@@ -2,6 +2,8 @@
 
 #include <heckbert/import/scene_format.h>
 #include <heckbert/import/words.h>
+#include <heckbert/transport/material.h>
+#include <heckbert/transport/overload.h>
 
 namespace heckbert::import {
 namespace {
@@ -36,7 +38,7 @@ Lobe build_ggx(Reader& in, const JsonNode& node, const LobeDraft& d) {
                           : "a ggx lobe takes \"roughness\" or \"alpha\", not both: alpha is roughness squared");
     }
   }
-  return Ggx{d.f0, d.alpha.value_or(d.roughness.value_or(1.0f) * d.roughness.value_or(1.0f))};
+  return ggx(d.f0, d.alpha.value_or(d.roughness.value_or(1.0f) * d.roughness.value_or(1.0f)));
 }
 
 const std::vector<LobeKind>& lobe_kinds() {
@@ -208,27 +210,68 @@ Material read_material(Reader& in, const JsonNode& node) {
   return material;
 }
 
+namespace {
+
+std::string number(float value) {
+  return to_text(static_cast<double>(value));
+}
+
+std::string describe(const Fresnel& fresnel) {
+  return std::visit(
+      Overload{
+          [](const Rgb& constant) { return to_text(constant); },
+          [](const SchlickFresnel& f) { return to_text(f.f0); },
+          [](const ConductorFresnel& f) { return "metal of index " + to_text(f.eta) + " + i " + to_text(f.k); },
+          [](const DielectricFresnel& f) { return "coat of index " + number(f.ior); },
+      },
+      fresnel);
+}
+
+std::string describe(const Microfacets& facets) {
+  const bool ggx = facets.distribution == Microfacets::Distribution::Ggx;
+  std::string out = std::string(ggx ? "GGX" : "Beckmann") + " of alpha " + number(facets.alpha_x);
+  return facets.alpha_x == facets.alpha_y ? out : out + " by " + number(facets.alpha_y);
+}
+
+std::string tinted(Rgb tint) {
+  return tint == Rgb(1) ? "" : " times " + to_text(tint);
+}
+
+template <class Glass>
+std::string tinted(const Glass& glass) {
+  if (glass.reflection_tint == Rgb(1) && glass.transmission_tint == Rgb(1)) {
+    return "";
+  }
+  return " tinted " + to_text(glass.reflection_tint) + " and " + to_text(glass.transmission_tint);
+}
+
+std::string describe(const Lobe& lobe) {
+  return std::visit(
+      Overload{
+          [](const Lambert& l) { return "Lambert " + to_text(l.albedo); },
+          [](const OrenNayar& l) { return "Oren-Nayar " + to_text(l.albedo) + " of roughness " + number(l.roughness); },
+          [](const DiffuseTransmission& l) { return "diffuse transmission " + to_text(l.transmittance); },
+          [](const CoatedDiffuse& l) {
+            return "diffuse " + to_text(l.albedo) + " below a coat of index " + number(l.coat.ior) + tinted(l.tint);
+          },
+          [](const Mirror& l) { return "mirror " + describe(l.fresnel) + tinted(l.tint); },
+          [](const Dielectric& l) { return "dielectric of index " + number(l.ior) + tinted(l); },
+          [](const ThinDielectric& l) { return "thin dielectric of index " + number(l.ior) + tinted(l); },
+          [](const MicrofacetReflection& l) { return describe(l.facets) + " " + describe(l.fresnel) + tinted(l.tint); },
+          [](const RoughDielectric& l) {
+            return "rough dielectric of index " + number(l.ior) + ", " + describe(l.facets) + tinted(l);
+          },
+          [](const Phong& l) { return "Phong " + to_text(l.reflectance) + " of exponent " + number(l.exponent); },
+      },
+      lobe);
+}
+
+}  // namespace
+
 std::string describe(const Material& material) {
-  struct Name {
-    std::string operator()(const Lambert& l) const { return "Lambert " + to_text(l.albedo); }
-    std::string operator()(const Mirror& l) const { return "mirror " + to_text(l.reflectance); }
-    std::string operator()(const Dielectric& l) const {
-      std::string out = "dielectric of index " + to_text(static_cast<double>(l.ior));
-      if (l.reflection_tint != Rgb(1) || l.transmission_tint != Rgb(1)) {
-        out += " tinted " + to_text(l.reflection_tint) + " and " + to_text(l.transmission_tint);
-      }
-      return out;
-    }
-    std::string operator()(const Ggx& l) const {
-      return "GGX " + to_text(l.f0) + " of alpha " + to_text(static_cast<double>(l.alpha));
-    }
-    std::string operator()(const Phong& l) const {
-      return "Phong " + to_text(l.reflectance) + " of exponent " + to_text(static_cast<double>(l.exponent));
-    }
-  };
   std::vector<std::string> parts;
   for (const Lobe& lobe : material.lobes) {
-    parts.push_back(std::visit(Name{}, lobe));
+    parts.push_back(describe(lobe));
   }
   if (!is_black(material.emission)) {
     parts.push_back("emits " + to_text(material.emission) +

@@ -7,6 +7,8 @@
 
 #include <heckbert/import/scene_format.h>
 #include <heckbert/import/words.h>
+#include <heckbert/transport/lobe.h>
+#include <heckbert/transport/material.h>
 
 namespace heckbert::import {
 namespace {
@@ -124,13 +126,7 @@ class Mapper {
     guess("Kd and Ks add up to " + to_text(static_cast<double>(sum)) + ", both scaled by " +
           to_text(1 / static_cast<double>(sum)));
     for (Lobe& lobe : material_.lobes) {
-      if (auto* lambert = std::get_if<Lambert>(&lobe)) {
-        lambert->albedo *= 1 / sum;
-      } else if (auto* mirror = std::get_if<Mirror>(&lobe)) {
-        mirror->reflectance *= 1 / sum;
-      } else if (auto* phong = std::get_if<Phong>(&lobe)) {
-        phong->reflectance *= 1 / sum;
-      }
+      scale(lobe, Rgb(1 / sum));
     }
   }
 

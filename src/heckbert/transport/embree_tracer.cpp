@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -14,6 +16,8 @@
 
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/transport/emitter.h>
+#include <heckbert/transport/frame.h>
+#include <heckbert/transport/texture.h>
 #include <heckbert/transport/tracer.h>
 
 namespace heckbert::transport {
@@ -61,6 +65,13 @@ struct Placed {
   float scale = 1;                      ///< of a similarity; only spheres and disks read it
   float extent = 0;                     ///< largest offset of the transform: what its rounding is relative to
   std::vector<std::uint32_t> emitters;  ///< by primitive; empty: none emits
+  bool needs_coordinates = false;       ///< some material of the shape reads texture coordinates or a tangent
+};
+
+/// A shape whose material may have holes, as the filter functions find it.
+struct CutOut {
+  const Scene* scene = nullptr;
+  const Shape* shape = nullptr;
 };
 
 }  // namespace
@@ -74,12 +85,13 @@ struct Tracer::Impl {
   std::vector<std::uint32_t> first_of_instance;  ///< of the top-level geometry id: where its shapes begin in `placed`
   std::uint32_t top_level_shapes = 0;
   std::vector<Emitter> emitters;
+  std::vector<std::unique_ptr<CutOut>> cut_outs;
 
   explicit Impl(const Scene& source);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  void attach(RTCScene target, const Shape& shape);
+  void attach(RTCScene target, const Scene& source, const Shape& shape);
   void place(const Scene& source, const Shape& shape, const glm::mat4& to_world);
   void commit(RTCScene target) const;
   const Placed& placed_at(const RTCHit& hit) const {
@@ -103,6 +115,8 @@ void check_shape(const Scene& scene, const Shape& shape) {
         throw std::invalid_argument(fmt::format("shape '{}': a triangle names a vertex that is not there", shape.name));
     if (!mesh->normals.empty() && mesh->normals.size() != mesh->positions.size())
       throw std::invalid_argument(fmt::format("shape '{}': needs one normal per position", shape.name));
+    if (!mesh->texcoords.empty() && mesh->texcoords.size() != mesh->positions.size())
+      throw std::invalid_argument(fmt::format("shape '{}': needs texture coordinates for every position", shape.name));
     if (!mesh->face_materials.empty() && mesh->face_materials.size() != mesh->triangles.size())
       throw std::invalid_argument(fmt::format("shape '{}': needs one material per triangle", shape.name));
     for (std::uint32_t material : mesh->face_materials) check_material(material);
@@ -112,6 +126,80 @@ void check_shape(const Scene& scene, const Shape& shape) {
   } else if (!(std::get<Sphere>(shape.geometry).radius > 0)) {
     throw std::invalid_argument(fmt::format("shape '{}': a sphere needs a radius above zero", shape.name));
   }
+}
+
+std::array<glm::vec2, 3> texcoords(const Mesh& mesh, const glm::uvec3& t) {
+  if (mesh.texcoords.empty()) return {{{0, 0}, {1, 0}, {0, 1}}};
+  return {mesh.texcoords[t.x], mesh.texcoords[t.y], mesh.texcoords[t.z]};
+}
+
+glm::vec2 interpolate(const std::array<glm::vec2, 3>& at, float u, float v) {
+  return (1.0f - u - v) * at[0] + u * at[1] + v * at[2];
+}
+
+/// How the position moves with the texture coordinates of a triangle: the inverse of how they move with it.
+void set_tangents(Hit& hit, const std::array<glm::vec2, 3>& at, glm::vec3 edge1, glm::vec3 edge2) {
+  const glm::vec2 d1 = at[1] - at[0], d2 = at[2] - at[0];
+  const float determinant = d1.x * d2.y - d1.y * d2.x;
+  hit.along_u = hit.along_v = glm::vec3(0);
+  if (determinant == 0) return;
+  hit.along_u = (d2.y * edge1 - d1.y * edge2) / determinant;
+  hit.along_v = (d1.x * edge2 - d2.x * edge1) / determinant;
+}
+
+/// Longitude and latitude of a point on the unit sphere.
+glm::vec2 sphere_uv(glm::vec3 n) {
+  const float longitude = std::atan2(n.y, n.x) / (2.0f * kPi);
+  return {longitude < 0 ? longitude + 1.0f : longitude, std::acos(std::clamp(-n.z, -1.0f, 1.0f)) / kPi};
+}
+
+/// Distance from the centre over the radius, and the turn about the normal; `s` and `t` span the disk and are as long
+/// as its radius.
+glm::vec2 disk_uv(glm::vec3 from_center, glm::vec3 s, glm::vec3 t) {
+  const float radius2 = glm::dot(s, s);
+  const float x = glm::dot(from_center, s) / radius2, y = glm::dot(from_center, t) / radius2;
+  const float turn = std::atan2(y, x) / (2.0f * kPi);
+  return {std::sqrt(x * x + y * y), turn < 0 ? turn + 1.0f : turn};
+}
+
+/// Uniform in [0, 1), a hash of the ray and of the primitive. A ray that meets the same primitive twice in the tree
+/// (which has spatial splits) must decide the same both times; two rays of a render never are the same to the last bit,
+/// because each starts from a point that was drawn at random (as in pbrt-v4, which does likewise).
+float uniform_hash(const RTCRay& ray, const RTCHit& hit) {
+  std::uint64_t state = 0x9e3779b97f4a7c15u;
+  const auto mix_in = [&](std::uint32_t bits) {
+    state = (state ^ bits) * 0xbf58476d1ce4e5b9u;
+    state ^= state >> 29;
+  };
+  for (const float f : {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z})
+    mix_in(std::bit_cast<std::uint32_t>(f));
+  for (const std::uint32_t id : {hit.primID, hit.geomID, hit.instID[0]}) mix_in(id);
+  state = (state ^ (state >> 30)) * 0x94d049bb133111ebu;
+  return static_cast<float>((state ^ (state >> 31)) >> 40) * 0x1p-24f;
+}
+
+/// Embree's filter: a hit counts with the probability that its surface is there, so that light goes straight through
+/// the rest, on paths and shadow rays alike.
+void let_through_holes(const RTCFilterFunctionNArguments* args) {
+  const auto& cut_out = *static_cast<const CutOut*>(args->geometryUserPtr);
+  const auto& ray = *reinterpret_cast<const RTCRay*>(args->ray);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const Shape& shape = *cut_out.shape;
+  std::uint32_t material = shape.material;
+  glm::vec2 uv;
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+    if (!mesh->face_materials.empty()) material = mesh->face_materials[hit.primID];
+    uv = interpolate(texcoords(*mesh, mesh->triangles[hit.primID]), hit.u, hit.v);
+  } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+    const glm::vec3 at(ray.org_x + ray.tfar * ray.dir_x, ray.org_y + ray.tfar * ray.dir_y,
+                       ray.org_z + ray.tfar * ray.dir_z);
+    const Frame frame = Frame::around(disk->normal);
+    uv = disk_uv(at - disk->center, disk->radius * frame.s, disk->radius * frame.t);
+  } else {
+    uv = sphere_uv(glm::normalize(glm::vec3(hit.Ng_x, hit.Ng_y, hit.Ng_z)));
+  }
+  const Material& m = cut_out.scene->materials[material];
+  if (m.opacity && uniform_hash(ray, hit) >= opacity(*cut_out.scene, m, uv)) args->valid[0] = 0;
 }
 
 bool emits(const Scene& scene, std::uint32_t material) {
@@ -139,20 +227,25 @@ std::vector<Face> faces_of(const Shape& shape) {
   return faces;
 }
 
+/// Is any material of the shape such that the condition holds?
+template <class Condition>
+bool any_material(const Scene& scene, const Shape& shape, Condition condition) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh != nullptr && !mesh->face_materials.empty())
+    return std::any_of(mesh->face_materials.begin(), mesh->face_materials.end(),
+                       [&](std::uint32_t material) { return condition(scene.materials[material]); });
+  return condition(scene.materials[shape.material]);
+}
+
 bool has_glass_mesh(const Scene& scene) {
-  const auto is_glass = [&](std::uint32_t material) {
-    for (const Lobe& lobe : scene.materials[material].lobes)
-      if (std::holds_alternative<Dielectric>(lobe)) return true;
-    return false;
+  const auto is_glass = [](const Material& material) {
+    return std::any_of(material.lobes.begin(), material.lobes.end(), [](const Lobe& lobe) {
+      return std::holds_alternative<Dielectric>(lobe) || std::holds_alternative<RoughDielectric>(lobe);
+    });
   };
   const auto any_glass = [&](const std::vector<Shape>& shapes) {
-    for (const Shape& shape : shapes)
-      if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-        if (mesh->face_materials.empty() && is_glass(shape.material)) return true;
-        for (std::uint32_t material : mesh->face_materials)
-          if (is_glass(material)) return true;
-      }
-    return false;
+    return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& shape) {
+      return std::holds_alternative<Mesh>(shape.geometry) && any_material(scene, shape, is_glass);
+    });
   };
   for (const Group& group : scene.groups)
     if (any_glass(group.shapes)) return true;
@@ -179,13 +272,13 @@ Tracer::Impl::Impl(const Scene& source) {
 
   scene = new_scene();
   for (const Shape& shape : source.shapes) {
-    attach(scene.get(), shape);
+    attach(scene.get(), source, shape);
     place(source, shape, glm::mat4(1));
   }
   top_level_shapes = static_cast<std::uint32_t>(source.shapes.size());
   for (const Group& group : source.groups) {
     group_scenes.push_back(new_scene());
-    for (const Shape& shape : group.shapes) attach(group_scenes.back().get(), shape);
+    for (const Shape& shape : group.shapes) attach(group_scenes.back().get(), source, shape);
     commit(group_scenes.back().get());
   }
   for (const Instance& instance : source.instances) {
@@ -203,7 +296,7 @@ Tracer::Impl::Impl(const Scene& source) {
   commit(scene.get());
 }
 
-void Tracer::Impl::attach(RTCScene target, const Shape& shape) {
+void Tracer::Impl::attach(RTCScene target, const Scene& source, const Shape& shape) {
   RTCGeometry geometry = nullptr;
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
     geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -227,6 +320,12 @@ void Tracer::Impl::attach(RTCScene target, const Shape& shape) {
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), 1));
     *data = glm::vec4(sphere.center, sphere.radius);
   }
+  if (any_material(source, shape, [](const Material& m) { return m.opacity.has_value(); })) {
+    cut_outs.push_back(std::make_unique<CutOut>(CutOut{&source, &shape}));
+    rtcSetGeometryUserData(geometry, cut_outs.back().get());
+    rtcSetGeometryIntersectFilterFunction(geometry, let_through_holes);
+    rtcSetGeometryOccludedFilterFunction(geometry, let_through_holes);
+  }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(target, geometry);
   rtcReleaseGeometry(geometry);
@@ -242,6 +341,7 @@ void Tracer::Impl::place(const Scene& source, const Shape& shape, const glm::mat
   p.normal_to_world = glm::transpose(glm::inverse(linear));
   p.flip = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
   p.extent = max_component(glm::vec3(to_world[3]));
+  p.needs_coordinates = any_material(source, shape, needs_surface_coordinates);
   const auto to_world_point = [&](glm::vec3 v) { return glm::vec3(to_world * glm::vec4(v, 1.0f)); };
 
   const auto add_emitter = [&](std::size_t primitives, std::size_t first, std::size_t count, const Emitter& e) {
@@ -365,6 +465,13 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
     }
     hit.error = clearance(hit.position, p.extent, size);
     hit.material = face.material;
+    if (p.needs_coordinates) {
+      hit.has_coordinates = true;
+      const auto at = texcoords(*mesh, mesh->triangles[query.hit.primID]);
+      hit.uv = interpolate(at, u, v);
+      const glm::mat3 linear(p.to_world);
+      set_tangents(hit, at, linear * face.edge1, linear * face.edge2);
+    }
     if (!p.emitters.empty()) hit.emitter = p.emitters[query.hit.primID];
   } else if (const auto* disk = std::get_if<Disk>(&p.shape->geometry)) {
     // Put back into its plane.
@@ -376,6 +483,15 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
     hit.normal_shading = hit.normal_geometric;
     hit.error = clearance(hit.position, p.extent, disk->radius * p.scale);
     hit.material = p.shape->material;
+    if (p.needs_coordinates) {
+      hit.has_coordinates = true;
+      const Frame frame = Frame::around(disk->normal);
+      const glm::mat3 linear(p.to_world);
+      const glm::vec3 from_center = hit.position - center;
+      hit.uv = disk_uv(from_center, linear * (disk->radius * frame.s), linear * (disk->radius * frame.t));
+      hit.along_u = from_center;
+      hit.along_v = glm::cross(hit.normal_geometric, from_center);
+    }
     if (!p.emitters.empty()) hit.emitter = p.emitters.front();
   } else {
     const auto& sphere = std::get<Sphere>(p.shape->geometry);
@@ -390,6 +506,14 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
     hit.normal_shading = hit.normal_geometric;
     hit.error = clearance(hit.position, p.extent, radius);
     hit.material = p.shape->material;
+    if (p.needs_coordinates) {
+      hit.has_coordinates = true;
+      const glm::mat3 linear(p.to_world);
+      const glm::vec3 n = glm::normalize(glm::transpose(linear) * hit.normal_geometric);
+      hit.uv = sphere_uv(n);
+      hit.along_u = linear * glm::vec3(-n.y, n.x, 0);
+      hit.along_v = glm::cross(hit.normal_geometric, hit.along_u);
+    }
     if (!p.emitters.empty()) hit.emitter = p.emitters.front();
   }
   return hit;

@@ -23,6 +23,14 @@ struct Frame {
     const float b = n.x * n.y * a;
     return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
   }
+  /// The frame around a unit normal whose s lies as near to `tangent` as it can; any frame when that is nowhere.
+  static Frame along(glm::vec3 n, glm::vec3 tangent) {
+    const glm::vec3 s = tangent - glm::dot(tangent, n) * n;
+    const float length2 = glm::dot(s, s);
+    if (!(length2 > 0)) return around(n);
+    const glm::vec3 unit = s / std::sqrt(length2);
+    return {unit, glm::cross(n, unit), n};
+  }
   glm::vec3 to_local(glm::vec3 world) const { return {glm::dot(world, s), glm::dot(world, t), glm::dot(world, n)}; }
   glm::vec3 to_world(glm::vec3 local) const { return local.x * s + local.y * t + local.z * n; }
 };

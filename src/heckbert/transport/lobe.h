@@ -1,9 +1,12 @@
 #pragma once
 // What one lobe does at one vertex. All directions are local, the normal along +z on the side of wo, both wo and wi
-// pointing away from the surface; so wo.z > 0, wi.z > 0 is reflection and wi.z < 0 transmission.
+// pointing away from the surface; so wo.z > 0, wi.z > 0 is reflection and wi.z < 0 transmission. `front` says that wo
+// is on the front side of the surface, which tells an interface which of its two media is where.
 //
 // The letter belongs to the lobe that was evaluated (design decision 2), so there is no whole-material value here: a
 // caller that wants the sum adds the lobes and keeps their letters apart.
+//
+// Each family of lobes has its formulas in a file of its own, lobe_*.h; this one only chooses among them.
 
 #include <optional>
 
@@ -12,6 +15,7 @@
 
 #include <heckbert/record/rgb.h>
 #include <heckbert/taxonomy/symbol.h>
+#include <heckbert/transport/lobe_specular.h>
 #include <heckbert/transport/scene.h>
 
 namespace heckbert::transport {
@@ -19,38 +23,37 @@ namespace heckbert::transport {
 /// A Dirac lobe: nothing to evaluate, only to follow.
 bool is_delta(const Lobe& lobe);
 
-/// The letter of a lobe that reflects light without a Dirac: Dr or Gr. Delta lobes name their events themselves.
-taxonomy::Symbol letter(const Lobe& lobe);
+/// May evaluate() be more than black below the horizon?
+bool transmits(const Lobe& lobe);
 
-/// f(wo, wi) per steradian, without the cosine; black for delta lobes and below the horizon.
-Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi);
+/// The letter of a lobe without a Dirac. Delta lobes name their events themselves.
+taxonomy::Symbol letter(const Lobe& lobe, bool transmitted = false);
+
+/// f(wo, wi) per steradian, without the cosine, for radiance arriving from wi; black for delta lobes. Transmission
+/// carries the compression of radiance.
+Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true);
 
 /// Density with which sample_direction picks wi, per steradian; 0 for delta lobes.
-float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi);
+float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true);
 
-/// A direction drawn by pdf_solid_angle; nothing when the draw falls below the horizon or the lobe is a delta.
-std::optional<glm::vec3> sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec2 u);
+/// A direction drawn by pdf_solid_angle; nothing when the draw falls on the wrong side or the lobe is a delta.
+std::optional<glm::vec3> sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec3 u, bool front = true);
 
-/// Reflectance towards wo, for choosing among lobes; an estimate is enough, but zero only where the lobe is black.
+/// Share of the light that the lobe scatters towards wo, for choosing among lobes; an estimate is enough, but zero only
+/// where the lobe is black.
 float selection_weight(const Lobe& lobe, glm::vec3 wo);
 
-/// One branch of a delta lobe: where it goes, and the factor that its radiance takes.
-struct DeltaBranch {
-  taxonomy::Symbol event = taxonomy::Symbol::Sr;
-  glm::vec3 wi{0};
-  Rgb weight;
-  float radiance_scale = 1;  ///< the part of `weight` that is compression of radiance and comes back on the way out
-};
+/// The colour of a lobe that reflects diffusely, black for any other: what the ambient term multiplies.
+Rgb diffuse_albedo(const Lobe& lobe);
 
-/// Both branches of a delta lobe: reflection, and transmission when there is any. `entering` says that wo is on the
-/// front (outer) side. The transmitted weight carries the compression of radiance, (eta_o / eta_i)^2 (Veach 1997, 5.2).
-struct DeltaBranches {
-  DeltaBranch reflected;
-  std::optional<DeltaBranch> transmitted;
-};
-DeltaBranches delta_branches(const Lobe& lobe, glm::vec3 wo, bool entering);
+/// The part of evaluate() that is compression of radiance when light is transmitted, and comes back on the way out:
+/// one over the squared relative index for an interface, else 1.
+float radiance_compression(const Lobe& lobe, bool front);
 
-/// Exact Fresnel reflectance of a dielectric for unpolarised light; `eta` is the index on the far side over the near.
-float fresnel_dielectric(float cos_incident, float eta);
+/// Multiplies the whole lobe, by a weight or a colour from 0 to 1.
+void scale(Lobe& lobe, Rgb factor);
+
+/// Both branches of a delta lobe: reflection, and transmission when there is any.
+DeltaBranches delta_branches(const Lobe& lobe, glm::vec3 wo, bool front);
 
 }  // namespace heckbert::transport

@@ -23,22 +23,29 @@ struct Continuation {
   float radiance_scale = 1;   ///< the compression of radiance in `factor`, which roulette must not see
 };
 
+/// An index, and what the draw leaves over: again uniform in [0, 1).
+struct Drawn {
+  std::size_t index = 0;
+  float u = 0;
+};
+
 /// The index drawn from weights that add up to `total`.
 template <class Weights>
-std::size_t draw(const Weights& weights, std::size_t count, float total, float u) {
+Drawn draw(const Weights& weights, std::size_t count, float total, float u) {
+  constexpr float kBelowOne = 0x1.fffffep-1f;
   float left = u * total;
-  std::size_t last = 0;
+  Drawn drawn;
   for (std::size_t i = 0; i < count; ++i) {
     if (weights[i] <= 0) continue;
-    last = i;
+    drawn = {i, std::min(left / weights[i], kBelowOne)};
     if (left < weights[i]) break;
     left -= weights[i];
   }
-  return last;
+  return drawn;
 }
 
 std::optional<Continuation> follow_delta(const Vertex& vertex, std::size_t lobe, float u) {
-  const DeltaBranches branches = delta_branches(vertex.material->lobes[lobe], vertex.wo, vertex.hit.front);
+  const DeltaBranches branches = delta_branches(vertex.lobes()[lobe], vertex.wo, vertex.hit.front);
   const float reflect = max_channel(branches.reflected.weight);
   // The choice goes by energy, not by radiance, which changes with the medium.
   const float transmit =
@@ -56,11 +63,11 @@ std::optional<Continuation> follow_delta(const Vertex& vertex, std::size_t lobe,
                       .radiance_scale = branch.radiance_scale};
 }
 
-std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t sampled, glm::vec2 u, float u_lobe) {
-  const auto& lobes = vertex.material->lobes;
-  const std::optional<glm::vec3> local = sample_direction(lobes[sampled], vertex.wo, u);
+std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t sampled, glm::vec3 u, float u_lobe) {
+  const std::span<const Lobe> lobes = vertex.lobes();
+  const std::optional<glm::vec3> local = sample_direction(lobes[sampled], vertex.wo, u, vertex.hit.front);
   if (!local) return std::nullopt;
-  const std::optional<glm::vec3> wi = vertex.reflected(vertex.frame.to_world(*local));
+  const std::optional<glm::vec3> wi = vertex.local(vertex.frame.to_world(*local));
   if (!wi) return std::nullopt;
   const float pdf = vertex.pdf_solid_angle(*wi);
   if (!(pdf > 0)) return std::nullopt;
@@ -69,18 +76,19 @@ std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t s
   std::array<float, kMaxLobes> weight{};
   float total = 0;
   for (std::size_t i = 0; i < lobes.size(); ++i) {
-    value[i] = evaluate(lobes[i], vertex.wo, *wi);
+    value[i] = evaluate(lobes[i], vertex.wo, *wi, vertex.hit.front);
     weight[i] = max_channel(value[i]);
     total += weight[i];
   }
   if (!(total > 0)) return std::nullopt;
-  const std::size_t lobe = draw(weight, lobes.size(), total, u_lobe);
-  return Continuation{.ray = vertex.leave(*wi, false),
-                      .event = letter(lobes[lobe]),
-                      .factor = value[lobe] * (wi->z * total / (pdf * weight[lobe])),
+  const std::size_t lobe = draw(weight, lobes.size(), total, u_lobe).index;
+  const bool transmitted = wi->z < 0;
+  return Continuation{.ray = vertex.leave(*wi, transmitted),
+                      .event = letter(lobes[lobe], transmitted),
+                      .factor = value[lobe] * (std::abs(wi->z) * total / (pdf * weight[lobe])),
                       .by_delta = false,
                       .pdf_solid_angle = pdf,
-                      .radiance_scale = 1.0f};
+                      .radiance_scale = transmitted ? radiance_compression(lobes[lobe], vertex.hit.front) : 1.0f};
 }
 
 std::optional<Continuation> follow(const Vertex& vertex, Sampler& sampler) {
@@ -88,9 +96,9 @@ std::optional<Continuation> follow(const Vertex& vertex, Sampler& sampler) {
   const float u_lobe = sampler.next();
   const glm::vec2 u = sampler.next2();
   if (!(vertex.total_weight > 0)) return std::nullopt;
-  const std::size_t lobe = draw(vertex.selection, vertex.material->lobes.size(), 1.0f, u_choice);
-  return is_delta(vertex.material->lobes[lobe]) ? follow_delta(vertex, lobe, u_lobe)
-                                                : follow_non_delta(vertex, lobe, u, u_lobe);
+  const Drawn lobe = draw(vertex.selection, vertex.lobes().size(), 1.0f, u_choice);
+  return is_delta(vertex.lobes()[lobe.index]) ? follow_delta(vertex, lobe.index, u_lobe)
+                                              : follow_non_delta(vertex, lobe.index, {u.x, u.y, lobe.u}, u_lobe);
 }
 
 }  // namespace

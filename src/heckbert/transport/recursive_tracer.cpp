@@ -35,11 +35,11 @@ class Tree {
     }
     add(branch, Symbol::La, world_.lights.emitted(*hit));
     const Vertex vertex(world_.scene, *hit, branch.ray.direction);
-    add_ambient(branch, *vertex.material);
+    add_ambient(branch, vertex);
     if (branch.depth == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
     shade(branch, vertex);
     bool spawned = false;
-    for (const Lobe& lobe : vertex.material->lobes)
+    for (const Lobe& lobe : vertex.lobes())
       if (is_delta(lobe)) spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
     // Only where the ray would end: two rays at full strength from every wall would be a tree without bound.
     if (!spawned && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
@@ -56,12 +56,11 @@ class Tree {
       add_hit(walk_, branch.node, light, branch.weight * radiance);
   }
 
-  void add_ambient(const Branch& branch, const Material& material) {
+  void add_ambient(const Branch& branch, const Vertex& vertex) {
     if (is_black(world_.scene.ambient)) return;
     Rgb k_a;
-    for (const Lobe& lobe : material.lobes)
-      if (const auto* lambert = std::get_if<Lambert>(&lobe)) k_a += lambert->albedo;
-    k_a = material.ambient_reflectance.value_or(k_a);
+    for (const Lobe& lobe : vertex.lobes()) k_a += diffuse_albedo(lobe);
+    k_a = vertex.material->ambient_reflectance.value_or(k_a);
     walk_.sink.add_non_path(branch.phantom ? NonPath::Phantom : NonPath::Ambient,
                             branch.weight * k_a * world_.scene.ambient);
   }

@@ -15,6 +15,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <heckbert/record/recorder.h>
+#include <heckbert/transport/material.h>
 #include <heckbert/transport/path_tracer.h>
 #include <heckbert/transport/recursive_tracer.h>
 
@@ -48,13 +49,7 @@ void check(const Scene& scene, const RenderSettings& settings) {
   require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= settings.width && w.y1 <= settings.height,
           fmt::format("the crop {},{},{},{} is not inside the {}x{} picture", w.x0, w.y0, w.x1, w.y1, settings.width,
                       settings.height));
-  for (const Material& material : scene.materials) {
-    for (const Lobe& lobe : material.lobes)
-      if (const auto* ggx = std::get_if<Ggx>(&lobe))
-        require(ggx->alpha > 0, fmt::format("material '{}': the alpha of a GGX lobe must be above 0", material.name));
-    require(material.lobes.size() <= kMaxLobes, fmt::format("material '{}' has {} lobes, at most {} are possible",
-                                                            material.name, material.lobes.size(), kMaxLobes));
-  }
+  for (const Material& material : scene.materials) check_material(scene, material);
 }
 
 /// Tiles row by row, so that a picture fills from the top.

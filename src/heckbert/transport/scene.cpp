@@ -4,28 +4,10 @@
 
 namespace heckbert::transport {
 
-Rgb max_albedo(const Material& material) {
-  struct Bound {
-    Rgb operator()(const Lambert& l) const { return l.albedo; }
-    Rgb operator()(const Mirror& l) const { return l.reflectance; }
-    // Fresnel splits one between the two parts, so the larger tint bounds their sum.
-    Rgb operator()(const Dielectric& l) const {
-      const Rgb a = l.reflection_tint, b = l.transmission_tint;
-      return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
-    }
-    // Schlick's approximation reaches one at grazing angles whatever F0 is; there masking takes most of it, and a
-    // bound at normal incidence is what authors of mixtures mean.
-    Rgb operator()(const Ggx& l) const { return l.f0; }
-    Rgb operator()(const Phong& l) const { return l.reflectance; }
-  };
-  Rgb sum;
-  for (const Lobe& lobe : material.lobes) sum += std::visit(Bound{}, lobe);
-  return sum;
-}
-
 Mesh make_quad(glm::vec3 corner, glm::vec3 edge_u, glm::vec3 edge_v) {
   return {.positions = {corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v},
-          .triangles = {{0, 1, 2}, {0, 2, 3}}};
+          .triangles = {{0, 1, 2}, {0, 2, 3}},
+          .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 }
 
 Mesh make_box(glm::vec3 low, glm::vec3 high, bool inward) {

@@ -13,55 +13,181 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <heckbert/record/rgb.h>
 
 namespace heckbert::transport {
 
-// ---- materials: a sum of lobes ------------------------------------------------------------------------------------
+// ---- textures -----------------------------------------------------------------------------------------------------
 
-/// Diffuse reflection, albedo / pi. Letter D.
+/// Pixels in rows from the top, four channels (r, g, b, opacity). Bytes are 0 to 255 for 0 to 1, with the sRGB curve on
+/// the three colours when `srgb`; floats are linear, whatever their range. Exactly one of the two lists is filled.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> bytes{};
+  std::vector<float> floats{};
+  bool srgb = true;  ///< of `bytes`: a picture, as opposed to data such as roughness, normals or opacity
+};
+
+/// Squares of two colours; each spans half a unit of u and of v, the first at the origin.
+struct Checkerboard {
+  Rgb first{0.4f}, second{0.2f};
+};
+
+/// A function of the texture coordinates, repeated in both directions. u runs to the right, v upwards: (0, 0) is the
+/// lower left corner of a picture, which is filtered bilinearly. Looked up at uv * scale + offset.
+struct Texture {
+  std::string name{};
+  std::variant<Image, Checkerboard> source{};
+  glm::vec2 scale{1};
+  glm::vec2 offset{0};
+};
+
+enum class Channel : std::uint8_t { R, G, B, A };
+
+/// One channel of a texture.
+struct ScalarTexture {
+  std::uint32_t texture = 0;  ///< index into Scene::textures
+  Channel channel = Channel::R;
+};
+
+// ---- materials: a sum of lobes ------------------------------------------------------------------------------------
+//
+// Indices of refraction are those behind the surface relative to those in front of it. `tint` multiplies a lobe as a
+// whole; in a mixture it carries the lobe's weight.
+
+/// Schlick's approximation from the reflectance at normal incidence (Schlick 1994).
+struct SchlickFresnel {
+  Rgb f0{0.9f};
+};
+/// A metal, of complex index eta + i k.
+struct ConductorFresnel {
+  Rgb eta, k;
+};
+/// Clear varnish or plastic; what is not reflected is for other lobes to say.
+struct DielectricFresnel {
+  float ior = 1.5f;
+};
+/// How much of the light a mirror or a facet reflects by angle; a colour is the same at every angle.
+using Fresnel = std::variant<Rgb, SchlickFresnel, ConductorFresnel, DielectricFresnel>;
+
+/// How the normals of tiny facets are spread. The widths run along the tangent, which follows u of the texture
+/// coordinates, and across it; both are above zero and, for artists, the square of their roughness.
+struct Microfacets {
+  float alpha_x = 0.1f, alpha_y = 0.1f;
+  enum class Distribution : std::uint8_t { Ggx, Beckmann } distribution = Distribution::Ggx;
+};
+
+/// Diffuse reflection, albedo / pi. Letter Dr.
 struct Lambert {
   Rgb albedo{0.5f};
 };
 
-/// Perfect mirror, constant reflectance. Letter S.
-struct Mirror {
-  Rgb reflectance{1.0f};
+/// Rough diffuse reflection: Oren and Nayar's (1994) as improved by Fujii, reciprocal and never above its albedo, which
+/// it reaches at grazing angles. Letter Dr.
+struct OrenNayar {
+  Rgb albedo{0.5f};
+  float roughness = 0.5f;  ///< 0 is Lambert's, 1 the roughest
 };
 
-/// Smooth interface between vacuum and a medium of index `ior` (on the inner side of the surface), exact Fresnel and
-/// Snell; reflection and transmission are one lobe with two events, Sr and St. Tints multiply either part and are at
-/// most one.
+/// Lambert's law on the far side: paper, leaves. Letter Dt.
+struct DiffuseTransmission {
+  Rgb transmittance{0.5f};
+};
+
+/// A clear layer on something else.
+struct Coat {
+  float ior = 1.5f;  ///< 1 to kHighestCoatIor
+  float alpha = 0;   ///< width of its facets; 0: smooth
+  Microfacets::Distribution distribution = Microfacets::Distribution::Ggx;
+};
+inline constexpr float kHighestCoatIor = 3;
+
+/// A diffuse base below a coat: what the coat's own lobe, a Mirror or MicrofacetReflection with DielectricFresnel,
+/// leaves to it, with all reflections between the two; base and coat together never reflect more than they receive.
+/// Letter Dr.
+struct CoatedDiffuse {
+  Rgb albedo{0.5f};  ///< of the base
+  Coat coat{};
+  bool linear = true;  ///< false: light that bounces below the coat takes the base's colour each time, which saturates
+  Rgb tint{1.0f};
+};
+
+/// Perfect mirror. Letter Sr.
+struct Mirror {
+  Fresnel fresnel{Rgb(1.0f)};
+  Rgb tint{1.0f};
+};
+
+/// Smooth interface to a medium of index `ior`, exact Fresnel and Snell; reflection and transmission are one lobe with
+/// two events, Sr and St. Tints multiply either part and are at most one.
 struct Dielectric {
   float ior = 1.5f;
   Rgb reflection_tint{1.0f};
   Rgb transmission_tint{1.0f};
 };
 
-/// Microfacet reflection with the GGX distribution (Walter et al. 2007), height-correlated Smith masking and Schlick's
-/// Fresnel approximation from F0; alpha, above zero, is the square of the usual roughness. Letter G.
-struct Ggx {
-  Rgb f0{0.9f};
-  float alpha = 0.1f;
+/// A sheet of glass without thickness: all reflections inside it summed, light goes straight through. Sr and St.
+struct ThinDielectric {
+  float ior = 1.5f;
+  Rgb reflection_tint{1.0f};
+  Rgb transmission_tint{1.0f};
 };
 
-/// Normalised modified Phong lobe (Lafortune and Willems 1994): reflectance (n+2)/2pi cos^n. Letter G.
+/// Reflection by facets, with height-correlated Smith masking, scattered once (Walter et al. 2007, Heitz 2014).
+/// Letter Gr.
+struct MicrofacetReflection {
+  Fresnel fresnel{SchlickFresnel{}};
+  Microfacets facets{};
+  Rgb tint{1.0f};
+};
+
+/// An interface of facets between two media: rough glass (Walter et al. 2007). Letters Gr and Gt.
+struct RoughDielectric {
+  float ior = 1.5f;
+  Microfacets facets{};
+  Rgb reflection_tint{1.0f};
+  Rgb transmission_tint{1.0f};
+};
+
+/// Normalised modified Phong lobe (Lafortune and Willems 1994): reflectance (n+2)/2pi cos^n. Letter Gr.
 struct Phong {
   Rgb reflectance{0.5f};
   float exponent = 32;
 };
 
-using Lobe = std::variant<Lambert, Mirror, Dielectric, Ggx, Phong>;
+using Lobe = std::variant<Lambert, OrenNayar, DiffuseTransmission, CoatedDiffuse, Mirror, Dielectric, ThinDielectric,
+                          MicrofacetReflection, RoughDielectric, Phong>;
+
+/// A parameter of a lobe that is multiplied by a texture.
+struct LobeTexture {
+  enum class Parameter : std::uint8_t {
+    Colour,          ///< albedo, reflectance, transmittance; F0 of Schlick's Fresnel; else the tint
+    Weight,          ///< the whole lobe, by one channel
+    OneMinusWeight,  ///< the whole lobe, by one minus that channel: the other half of a mixture
+    Alpha,           ///< widths of facets or the roughness of OrenNayar, by one channel
+    Roughness,       ///< widths of facets by the square of one channel
+  };
+  std::uint32_t lobe = 0;  ///< index into Material::lobes
+  Parameter parameter = Parameter::Colour;
+  ScalarTexture texture{};  ///< Colour takes all three channels
+  float factor = 1;         ///< multiplies what the texture says
+};
+
+struct NormalMap {
+  std::uint32_t texture = 0;  ///< x, y, z from -1 to 1 stored as 0 to 1; x along u, y along v
+  float strength = 1;         ///< multiplies x and y
+};
 
 enum class Sides : std::uint8_t { Front, Both };
 
-/// A surface reflects by the sum of its lobes on both sides (a dielectric tells inside from outside by the geometric
-/// normal) and may emit; an emitter also reflects.
+/// A surface scatters by the sum of its lobes (a dielectric tells inside from outside by the geometric normal) and may
+/// emit; an emitter also reflects.
 struct Material {
   std::string name{};
-  std::vector<Lobe> lobes{};  ///< at most kMaxLobes; see max_albedo for the bound on their sum
+  std::vector<Lobe> lobes{};  ///< at most kMaxLobes; see max_albedo in material.h for the bound on their sum
   Rgb emission{};             ///< radiance; black: not a light
   Sides emission_sides = Sides::Front;
   /// The lecture's recursive tracer continues in the mirror direction even at a diffuse surface, weighted by this k_r;
@@ -70,12 +196,14 @@ struct Material {
   Rgb phantom_reflectance{};
   /// k_a of the ambient term, used by the recursive tracers with an ambient light; no path either.
   std::optional<Rgb> ambient_reflectance{};  ///< unset: the sum of the diffuse albedos
+  Sides lobe_sides = Sides::Both;            ///< Front: black when seen from behind
+  std::vector<LobeTexture> textures{};       ///< applied to the lobes in this order
+  std::optional<NormalMap> normal_map{};
+  /// The share of the surface that is there; through the rest light goes straight, and no letter tells of it.
+  std::optional<ScalarTexture> opacity{};
 };
 
-inline constexpr std::size_t kMaxLobes = 6;
-
-/// The albedo of a material's lobes at normal incidence, per channel; more than 1 cannot conserve energy.
-Rgb max_albedo(const Material& material);
+inline constexpr std::size_t kMaxLobes = 8;
 
 // ---- shapes -------------------------------------------------------------------------------------------------------
 
@@ -85,9 +213,10 @@ struct Mesh {
   std::vector<glm::uvec3> triangles{};
   std::vector<glm::vec3> normals{};             ///< per position, for shading; empty: flat
   std::vector<std::uint32_t> face_materials{};  ///< per triangle; empty: Shape::material for all
+  std::vector<glm::vec2> texcoords{};           ///< per position; empty: (0, 0), (1, 0), (0, 1) in every triangle
 };
 
-/// Front is outside.
+/// Front is outside. Texture coordinates: u is the longitude about z from x over two pi, v the angle from -z over pi.
 struct Sphere {
   glm::vec3 center{0};
   float radius = 1;
@@ -119,7 +248,7 @@ struct Instance {
   glm::mat4 to_world{1};  ///< affine
 };
 
-/// A parallelogram from `corner`; front is the side of cross(edge_u, edge_v).
+/// A parallelogram from `corner`; front is the side of cross(edge_u, edge_v); u and v run along the edges.
 Mesh make_quad(glm::vec3 corner, glm::vec3 edge_u, glm::vec3 edge_v);
 /// A box between two corners; front is outside, or inside when `inward`.
 Mesh make_box(glm::vec3 low, glm::vec3 high, bool inward = false);
@@ -199,6 +328,7 @@ struct Scene {
   std::string name{};
   std::string title;  ///< one line for people
   std::vector<Material> materials;
+  std::vector<Texture> textures{};
   std::vector<Shape> shapes{};
   std::vector<Group> groups;
   std::vector<Instance> instances;

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <heckbert/transport/emitter.h>
@@ -35,6 +36,9 @@ struct Hit {
   float error = 0;             ///< distance in scene units by which a ray leaving here must clear the surface
   std::uint32_t material = 0;
   std::uint32_t emitter = kNoEmitter;  ///< index into Tracer's emitters, when the surface emits
+  bool has_coordinates = false;        ///< the material asks for texture coordinates: the following are set
+  glm::vec2 uv;
+  glm::vec3 along_u, along_v;  ///< how the position moves with u and with v; zero where the coordinates stand still
 };
 
 /// The hit's position moved off the surface to its front or its back. The side is the event's to say, not a cosine's:

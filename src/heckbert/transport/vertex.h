@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <heckbert/record/path_sink.h>
@@ -38,26 +39,41 @@ struct Walk {
   }
 };
 
+/// Where shading normals (interpolated or mapped) and the geometric normal disagree, two rules hold, in every algorithm
+/// alike, so that all of them converge to one picture: a vertex is shaded with the first normal of mapped,
+/// interpolated, flat that faces the ray and would mirror it to the outside; and an event keeps its side, so that a
+/// direction counts only when both normals call it a reflection, or both a transmission. No cosine is corrected (Veach
+/// 1997, 5.3).
 struct Vertex {
   Hit hit;
-  Frame frame;   ///< normal on the side the ray came from
+  Frame frame;   ///< normal on the side the ray came from; s along u where the material asks for it
   glm::vec3 wo;  ///< local
   const Material* material;
 
   bool has_non_delta = false;
+  bool transmits = false;                    ///< some lobe without a Dirac does
   float total_weight = 0;                    ///< sum of the selection weights; 0: the surface is black
   std::array<float, kMaxLobes> selection{};  ///< probability of following each lobe
 
   Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction);
 
+  /// The material's lobes as they are here, after textures; none on the back of a one-sided material.
+  std::span<const Lobe> lobes() const {
+    if (textured_) return std::span(*textured_).first(lobe_count_);
+    return std::span(material->lobes).first(lobe_count_);
+  }
   /// Density of following any non-delta lobe into wi, selection included: the density that multiple importance weights
   /// see.
   float pdf_solid_angle(glm::vec3 wi) const;
-  /// A world direction as this vertex may use it for reflection: local, or nothing when the shading and the geometric
-  /// normal disagree about its side.
-  std::optional<glm::vec3> reflected(glm::vec3 world) const;
+  /// A world direction as this vertex may use it: local, or nothing when the shading and the geometric normal disagree
+  /// about its side.
+  std::optional<glm::vec3> local(glm::vec3 world) const;
   /// The ray that goes on; `transmitted` says on which side.
   Ray leave(glm::vec3 wi, bool transmitted) const;
+
+ private:
+  std::size_t lobe_count_ = 0;
+  std::optional<std::array<Lobe, kMaxLobes>> textured_;
 };
 
 /// How direct light is gathered at a vertex.
