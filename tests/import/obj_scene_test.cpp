@@ -11,6 +11,7 @@
 #include <heckbert/import/import.h>
 #include <heckbert/import/obj_materials.h>
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/transport/material.h>
 
 #include "test_files.h"
 
