@@ -193,7 +193,7 @@ void let_through_holes(const RTCFilterFunctionNArguments* args) {
   } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
     const glm::vec3 at(ray.org_x + ray.tfar * ray.dir_x, ray.org_y + ray.tfar * ray.dir_y,
                        ray.org_z + ray.tfar * ray.dir_z);
-    const Frame frame = Frame::around(disk->normal);
+    const Frame frame = Frame::around(glm::normalize(disk->normal));
     uv = disk_uv(at - disk->center, disk->radius * frame.s, disk->radius * frame.t);
   } else {
     uv = sphere_uv(glm::normalize(glm::vec3(hit.Ng_x, hit.Ng_y, hit.Ng_z)));
@@ -485,7 +485,7 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
     hit.material = p.shape->material;
     if (p.needs_coordinates) {
       hit.has_coordinates = true;
-      const Frame frame = Frame::around(disk->normal);
+      const Frame frame = Frame::around(glm::normalize(disk->normal));
       const glm::mat3 linear(p.to_world);
       const glm::vec3 from_center = hit.position - center;
       hit.uv = disk_uv(from_center, linear * (disk->radius * frame.s), linear * (disk->radius * frame.t));
