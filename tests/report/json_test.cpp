@@ -107,7 +107,7 @@ std::map<std::string, std::string> documents() {
   const ClassifyOptions options;
   return {{"heckbert.coverage", coverage_json(coverage(record, grammars_and_a_proxy()))},
           {"heckbert.classify",
-           groups_json(classify(record, GroupBy::Length, library(), options), GroupBy::Length, record.info, options)},
+           groups_json(classify(record, GroupBy::Length, library(), options), GroupBy::Length, record.info, record.tally, options)},
           {"heckbert.grammars", grammar_list_json(library())}};
 }
 

@@ -19,8 +19,9 @@ enum class Technique : std::uint8_t { Hit, NextEvent };
 /// Light that no path carries: the ambient term, and the lecture's mirror ray continued at a diffuse surface.
 enum class NonPath : std::uint8_t { Ambient, Phantom };
 
-/// Why a walk from the eye stopped.
-enum class PathEnd : std::uint8_t { Escaped, Absorbed, DepthLimit, Roulette };
+/// Why a walk from the eye stopped: it left the scene, for a sky or for nothing at all; it was absorbed; it was cut off
+/// at the depth limit; or roulette ended it.
+enum class PathEnd : std::uint8_t { Escaped, EscapedUnlit, Absorbed, DepthLimit, Roulette };
 
 /// One finished path's value at one pixel: L f G / p with every weight applied; radiance per channel, for one sample
 /// (not yet divided by the number of samples).
@@ -42,6 +43,8 @@ class PathSink {
   }
   virtual void add_non_path(NonPath buffer, Rgb value) = 0;
   virtual void end_path(PathEnd end) = 0;
+  /// Light of this sample that the depth limit cut off, as far as the tracer can tell: an unbiased estimate or nothing.
+  virtual void add_cut_off(Rgb) {}
 
   taxonomy::WordTrie& words() { return words_; }
 

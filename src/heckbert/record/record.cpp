@@ -17,6 +17,7 @@ std::size_t pixel_index(const Window& window, int x, int y) {
 
 Tally& Tally::operator+=(const Tally& other) {
   for (const TallyFacts& facts : kTallyFields) this->*facts.field += other.*facts.field;
+  for (const TallySumFacts& facts : kTallySums) this->*facts.field += other.*facts.field;
   return *this;
 }
 

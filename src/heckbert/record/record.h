@@ -47,8 +47,10 @@ struct RenderInfo {
 struct Tally {
   std::uint64_t samples = 0;                ///< camera samples begun
   std::uint64_t hits = 0, next_events = 0;  ///< contributions, by technique
-  std::uint64_t escaped = 0, absorbed = 0, depth_limited = 0, roulette = 0;
+  std::uint64_t escaped = 0, escaped_unlit = 0, absorbed = 0, depth_limited = 0, roulette = 0;
   std::uint64_t rejected_not_finite = 0, rejected_negative = 0;
+  /// Luminance that the depth limit cut off, as the tracer estimates it: sum over the samples, and sum of the squares.
+  double cut_off = 0, cut_off_squares = 0;
   Tally& operator+=(const Tally& other);
   bool operator==(const Tally&) const = default;
 };
@@ -58,16 +60,27 @@ struct TallyFacts {
   std::uint64_t Tally::*field;
 };
 
-inline constexpr std::array<TallyFacts, 9> kTallyFields{{
+inline constexpr std::array<TallyFacts, 10> kTallyFields{{
     {"samples", &Tally::samples},
     {"hits", &Tally::hits},
     {"next_events", &Tally::next_events},
     {"escaped", &Tally::escaped},
+    {"escaped_unlit", &Tally::escaped_unlit},
     {"absorbed", &Tally::absorbed},
     {"depth_limited", &Tally::depth_limited},
     {"roulette", &Tally::roulette},
     {"rejected_not_finite", &Tally::rejected_not_finite},
     {"rejected_negative", &Tally::rejected_negative},
+}};
+
+struct TallySumFacts {
+  std::string_view name;  ///< as in file headers
+  double Tally::*field;
+};
+
+inline constexpr std::array<TallySumFacts, 2> kTallySums{{
+    {"cut_off", &Tally::cut_off},
+    {"cut_off_squares", &Tally::cut_off_squares},
 }};
 
 /// Number of batches that the samples of every pixel are dealt into; interval estimates come from their spread.

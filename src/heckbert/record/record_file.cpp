@@ -2,6 +2,7 @@
 #include <OpenEXR/ImfDeepFrameBuffer.h>
 #include <OpenEXR/ImfDeepScanLineInputPart.h>
 #include <OpenEXR/ImfDeepScanLineOutputPart.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFloatVectorAttribute.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
@@ -33,8 +34,8 @@ constexpr const char* kWords = "heckbert.words";
 constexpr const char* kPathsPart = "paths";
 constexpr const char* kIdChannel = "id";
 
-std::string tally_name(const TallyFacts& facts) {
-  return fmt::format("heckbert.tally.{}", facts.name);
+std::string tally_name(std::string_view name) {
+  return fmt::format("heckbert.tally.{}", name);
 }
 
 struct EntryChannel {
@@ -114,7 +115,9 @@ Imf::Header paths_header(const Record& record) {
   header.insert(kWords, Imf::StringVectorAttribute(words));
   Imf::addIDManifest(header, manifest_of(words));
   for (const TallyFacts& facts : kTallyFields)
-    header.insert(tally_name(facts), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
+    header.insert(tally_name(facts.name), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
+  for (const TallySumFacts& facts : kTallySums)
+    header.insert(tally_name(facts.name), Imf::DoubleAttribute(record.tally.*facts.field));
   Imf::FloatVector means;
   means.reserve(3 * record.batch_means.size());
   for (const Rgb& mean : record.batch_means) means.insert(means.end(), {mean.r, mean.g, mean.b});
@@ -299,8 +302,10 @@ Record read_record(const std::filesystem::path& path) {
     require(exr::can_unpack_to(record.info.window.pixel_count() * sizeof(unsigned), file_bytes),
             "the file is damaged: it promises more pixels than it can hold");
     for (const TallyFacts& facts : kTallyFields)
-      record.tally.*facts.field =
-          exr::parse_number(exr::attribute<Imf::StringAttribute>(header, tally_name(facts)), tally_name(facts));
+      record.tally.*facts.field = exr::parse_number(
+          exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
+    for (const TallySumFacts& facts : kTallySums)
+      record.tally.*facts.field = exr::attribute<Imf::DoubleAttribute>(header, tally_name(facts.name));
     record.words = read_words(header);
     record.batch_means = read_batch_means(header, record.words.size());
     read_entries(Imf::DeepScanLineInputPart(file, 0), file_bytes, record);

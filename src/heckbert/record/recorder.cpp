@@ -76,6 +76,9 @@ void TileRecorder::add_non_path(NonPath buffer, Rgb value) {
 void TileRecorder::end_path(PathEnd end) {
   Tally& tally = tile_.tally;
   switch (end) {
+    case PathEnd::EscapedUnlit:
+      ++tally.escaped_unlit;
+      [[fallthrough]];
     case PathEnd::Escaped:
       ++tally.escaped;
       break;
@@ -89,6 +92,13 @@ void TileRecorder::end_path(PathEnd end) {
       ++tally.roulette;
       break;
   }
+}
+
+void TileRecorder::add_cut_off(Rgb value) {
+  if (!accept(value)) return;
+  const double light = static_cast<double>(luminance(value));
+  tile_.tally.cut_off += light;
+  tile_.tally.cut_off_squares += light * light;
 }
 
 Tile TileRecorder::end_tile() {

@@ -44,6 +44,7 @@ class TileRecorder final : public PathSink {
   void add(std::span<const Contribution> contributions) override;
   void add_non_path(NonPath buffer, Rgb value) override;
   void end_path(PathEnd end) override;
+  void add_cut_off(Rgb value) override;
 
  private:
   static constexpr std::uint32_t kNoWord = std::numeric_limits<std::uint32_t>::max();

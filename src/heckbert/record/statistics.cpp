@@ -121,6 +121,17 @@ Estimate share(const Record& record, const std::vector<bool>& part, const std::v
   return with_interval(ratio, standard_error(residuals, weights) / total, parts.size(), confidence, most);
 }
 
+Estimate cut_off(const Tally& tally, double confidence) {
+  if (tally.cut_off <= 0) return exactly(0);
+  const double n = static_cast<double>(tally.samples);
+  const double mean = tally.cut_off / n;
+  if (tally.samples < 2) return unknown_spread(mean);
+  const double error = std::sqrt(std::max(tally.cut_off_squares / n - mean * mean, 0.0) / (n - 1));
+  constexpr std::uint64_t kNearlyNormal = 10000;  // a Student quantile costs a loop over its degrees of freedom
+  return with_interval(mean, error, std::min(tally.samples, kNearlyNormal), confidence,
+                       std::numeric_limits<double>::infinity());
+}
+
 double student_quantile(double probability, int degrees) {
   assert(probability > 0 && probability < 1 && degrees >= 1);
   if (probability < 0.5) return -student_quantile(1 - probability, degrees);

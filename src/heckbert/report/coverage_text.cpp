@@ -39,6 +39,8 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
     text += wrap(fmt::format("Outside of every share, as no path: ambient term {}, phantom mirror {}.",
                              number(coverage.ambient), number(coverage.phantom)),
                  style.width);
+  if (const std::string ended = termination(coverage.info, coverage.tally, coverage.total.mean); !ended.empty())
+    text += wrap(ended, style.width);
   for (const std::string& warning : warnings(coverage.info, coverage.tally))
     text += wrap("Warning: " + warning, style.width);
 

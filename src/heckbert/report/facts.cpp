@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/record/statistics.h>
 #include <heckbert/report/numbers.h>
 
 namespace heckbert::report {
@@ -14,6 +15,13 @@ std::string picture_size(const record::RenderInfo& info) {
     text += fmt::format(", of which x {} to {} and y {} to {} were rendered", window.x0, window.x1 - 1, window.y0,
                         window.y1 - 1);
   return text;
+}
+
+std::string cut_off_text(const record::Tally& tally) {
+  if (tally.depth_limited == 0) return "nothing: no walk reached the depth limit";
+  const record::Estimate lost = record::cut_off(tally);
+  return fmt::format("{} of mean luminance at the depth limit (estimated, {} to {})", number(lost.mean),
+                     number(lost.lower), number(lost.upper));
 }
 
 std::string rejected(const record::Tally& tally) {
@@ -35,11 +43,28 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
       {"Paths found", fmt::format("{} by hitting a light, {} by next-event estimation", grouped(tally.hits),
                                   grouped(tally.next_events))},
       {"Walks ended",
-       fmt::format("{} escaped, {} absorbed, {} at the depth limit, {} by roulette", grouped(tally.escaped),
-                   grouped(tally.absorbed), grouped(tally.depth_limited), grouped(tally.roulette))},
+       fmt::format("{} escaped ({} where there is no environment), {} absorbed, {} at the depth limit, {} by roulette",
+                   grouped(tally.escaped), grouped(tally.escaped_unlit), grouped(tally.absorbed),
+                   grouped(tally.depth_limited), grouped(tally.roulette))},
+      {"Cut off", cut_off_text(tally)},
       {"Rejected", rejected(tally)},
       {"Version", "heckbert " + info.version},
   };
+}
+
+std::string termination(const record::RenderInfo& info, const record::Tally& tally, double luminance) {
+  std::string text;
+  if (tally.depth_limited > 0) {
+    const record::Estimate lost = record::cut_off(tally);
+    text = fmt::format("The depth limit of {} cut off {} walks and with them {} of all light (estimated: {} of {}).",
+                       info.max_depth, grouped(tally.depth_limited),
+                       percent(lost.mean > 0 ? lost.mean / (luminance + lost.mean) : 0), number(lost.mean),
+                       number(luminance + lost.mean));
+  }
+  if (tally.roulette > 0)
+    text += fmt::format("{}Roulette ended {} walks, whose light the others carry.", text.empty() ? "" : " ",
+                        grouped(tally.roulette));
+  return text;
 }
 
 std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally) {

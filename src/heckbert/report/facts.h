@@ -18,6 +18,10 @@ struct Fact {
 /// Scene, algorithm, picture, samples, seed, depth, how walks ended, what was rejected, version.
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally);
 
+/// What a picture with this luminance lacks for its depth limit and what roulette did, in a sentence or two; empty when
+/// no walk was ended early.
+std::string termination(const record::RenderInfo& info, const record::Tally& tally, double luminance);
+
 /// What a reader must not overlook: an interrupted render, rejected contributions, too few samples for intervals.
 /// Each one or two sentences; usually none.
 std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally);

@@ -31,6 +31,7 @@ Json to_json(const record::RenderInfo& info) {
 Json to_json(const record::Tally& tally) {
   Json json = Json::object();
   for (const record::TallyFacts& facts : record::kTallyFields) json[std::string(facts.name)] = tally.*facts.field;
+  json["cut_off"] = to_json(record::cut_off(tally));
   return json;
 }
 

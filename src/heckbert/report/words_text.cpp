@@ -74,7 +74,7 @@ std::string groups_text(const std::vector<WordGroup>& groups, GroupBy by, const 
 }
 
 std::string groups_json(const std::vector<WordGroup>& groups, GroupBy by, const record::RenderInfo& info,
-                        const ClassifyOptions& options) {
+                        const record::Tally& tally, const ClassifyOptions& options) {
   Json list = Json::array();
   for (const WordGroup& group : groups)
     list.push_back({{"name", group.name},
@@ -85,6 +85,7 @@ std::string groups_json(const std::vector<WordGroup>& groups, GroupBy by, const 
                     {"words", group.words}});
   Json document = document_of("heckbert.classify");
   document["render"] = to_json(info);
+  document["tally"] = to_json(tally);
   document["glossy_rule"] = name_of(options.glossy_rule);
   document["confidence"] = options.confidence;
   document["by"] = facts_of(by).name;

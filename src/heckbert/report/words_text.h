@@ -20,6 +20,6 @@ std::string groups_text(const std::vector<WordGroup>& groups, GroupBy by, const 
 
 /// Schema "heckbert.classify"; the whole of it, never cut.
 std::string groups_json(const std::vector<WordGroup>& groups, GroupBy by, const record::RenderInfo& info,
-                        const ClassifyOptions& options);
+                        const record::Tally& tally, const ClassifyOptions& options);
 
 }  // namespace heckbert::report

@@ -109,36 +109,45 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
   float radiance_scale = 1;
   float pdf_arrival = 0;  // 0: a light here could not have been found by next-event estimation
   glm::vec3 previous{0};
+  std::optional<PastTheLimit> past_the_limit;
+  const auto end = [&](PathEnd how) {
+    if (!past_the_limit) walk.sink.end_path(how);
+  };
 
   for (int depth = 0;; ++depth) {
     ++walk.rays;
     const std::optional<Hit> hit = world.tracer.intersect(ray);
     if (!hit) {
-      if (const Rgb sky = world.lights.environment(ray.direction); !is_black(sky)) {
+      const Rgb sky = world.lights.environment(ray.direction);
+      if (!is_black(sky)) {
         const float weight =
             pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_environment(ray.direction)) : 1.0f;
         add_hit(walk, node, Symbol::Le, throughput * sky * weight);
       }
-      return walk.sink.end_path(PathEnd::Escaped);
+      return end(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     if (const Rgb emitted = world.lights.emitted(*hit); !is_black(emitted)) {
       const float weight =
           pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_solid_angle(*hit, previous)) : 1.0f;
       add_hit(walk, node, Symbol::La, throughput * emitted * weight);
     }
-    if (depth == world.max_depth) return walk.sink.end_path(PathEnd::DepthLimit);
+    if (depth == world.max_depth) {
+      end(PathEnd::DepthLimit);
+      if (walk.sampler.next() >= PastTheLimit::kShare) return;
+      past_the_limit.emplace(walk);
+    }
 
     const Vertex vertex(world.scene, *hit, ray.direction);
     if (vertex.has_non_delta) gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
 
     const std::optional<Continuation> next = follow(vertex, walk.sampler);
-    if (!next) return walk.sink.end_path(PathEnd::Absorbed);
+    if (!next) return end(PathEnd::Absorbed);
     throughput *= next->factor;
     radiance_scale *= next->radiance_scale;
-    if (is_black(throughput)) return walk.sink.end_path(PathEnd::Absorbed);
+    if (is_black(throughput)) return end(PathEnd::Absorbed);
     if (depth + 1 >= kRouletteStart) {
       const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
-      if (walk.sampler.next() >= survival) return walk.sink.end_path(PathEnd::Roulette);
+      if (walk.sampler.next() >= survival) return end(PathEnd::Roulette);
       throughput *= 1.0f / survival;
     }
     node = walk.step(node, next->event);

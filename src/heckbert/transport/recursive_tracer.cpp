@@ -12,6 +12,9 @@ namespace {
 /// losing energy on average (Hall and Greenberg 1983 cut it off instead).
 constexpr float kThinBranch = 1.0f / 64.0f;
 
+/// Between two perfect mirrors the tree never ends: what the depth limit cuts off is looked for so many levels deep.
+constexpr int kLevelsPastTheLimit = 32;
+
 struct Branch {
   Ray ray;
   taxonomy::WordTrie::Node node = 0;
@@ -31,23 +34,36 @@ class Tree {
     const std::optional<Hit> hit = world_.tracer.intersect(branch.ray);
     if (!hit) {
       add(branch, Symbol::Le, world_.lights.environment(branch.ray.direction));
-      return walk_.sink.end_path(PathEnd::Escaped);
+      return end(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     add(branch, Symbol::La, world_.lights.emitted(*hit));
     const Vertex vertex(world_.scene, *hit, branch.ray.direction);
     add_ambient(branch, vertex);
-    if (branch.depth == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
+    if (branch.depth != world_.max_depth) return go_on(branch, vertex);
+    end(PathEnd::DepthLimit);
+    if (branch.phantom || walk_.sampler.next() >= PastTheLimit::kShare) return;
+    const PastTheLimit unrecorded(walk_);
+    past_the_limit_ = true;
+    go_on(branch, vertex);
+    past_the_limit_ = false;
+  }
+
+ private:
+  void end(PathEnd how) {
+    if (!past_the_limit_) walk_.sink.end_path(how);
+  }
+
+  void go_on(const Branch& branch, const Vertex& vertex) {
     shade(branch, vertex);
     bool spawned = false;
     for (const Lobe& lobe : vertex.lobes())
       if (is_delta(lobe)) spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
     // Only where the ray would end: two rays at full strength from every wall would be a tree without bound.
-    if (!spawned && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
+    if (!spawned && !past_the_limit_ && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
       spawned = spawn_phantom(branch, vertex);
-    if (!spawned) walk_.sink.end_path(PathEnd::Absorbed);
+    if (!spawned) end(PathEnd::Absorbed);
   }
 
- private:
   void add(const Branch& branch, Symbol light, Rgb radiance) {
     if (is_black(radiance)) return;
     if (branch.phantom)
@@ -57,7 +73,7 @@ class Tree {
   }
 
   void add_ambient(const Branch& branch, const Vertex& vertex) {
-    if (is_black(world_.scene.ambient)) return;
+    if (is_black(world_.scene.ambient) || past_the_limit_) return;
     Rgb k_a;
     for (const Lobe& lobe : vertex.lobes()) k_a += diffuse_albedo(lobe);
     k_a = vertex.material->ambient_reflectance.value_or(k_a);
@@ -105,10 +121,11 @@ class Tree {
   }
 
   void descend(Branch& branch) {
+    if (branch.depth > world_.max_depth + kLevelsPastTheLimit) return;
     const float strength = max_channel(branch.weight) / branch.radiance_scale;
     if (strength < kThinBranch) {
       const float survival = strength / kThinBranch;
-      if (walk_.sampler.next() >= survival) return walk_.sink.end_path(PathEnd::Roulette);
+      if (walk_.sampler.next() >= survival) return end(PathEnd::Roulette);
       branch.weight *= 1.0f / survival;
     }
     trace(branch);
@@ -117,6 +134,7 @@ class Tree {
   const World& world_;
   Walk& walk_;
   const RecursiveOptions& options_;
+  bool past_the_limit_ = false;
 };
 
 }  // namespace

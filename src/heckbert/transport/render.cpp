@@ -140,6 +140,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
             found.clear();
             trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);
             sink.add(found);
+            if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
             rays += walk.rays;
           }
       worker.end(number);

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <heckbert/record/path_sink.h>
@@ -33,6 +34,7 @@ struct Walk {
   Sampler sampler;
   bool wants_words = true;  ///< false when only the picture is asked for: nothing is spelt then
   std::uint64_t rays = 0;
+  Rgb cut_off{};  ///< light that the depth limit cut off, estimated
 
   taxonomy::WordTrie::Node step(taxonomy::WordTrie::Node node, taxonomy::Symbol letter) {
     return wants_words ? sink.words().step(node, letter) : node;
@@ -95,6 +97,29 @@ inline float power_heuristic(float pdf, float other) {
   const float ratio = other / pdf;
   return 1.0f / (1.0f + ratio * ratio);
 }
+
+/// A walk that goes on past the depth limit to find out what it cuts off: while this lives, nothing is spelt; in the
+/// end what was found counts as cut off and not as found. A small share of walks does so and carries the light of all,
+/// which is unbiased and costs little.
+class PastTheLimit {
+ public:
+  static constexpr float kShare = 1.0f / 16.0f;
+
+  explicit PastTheLimit(Walk& walk)
+      : walk_(walk), found_(walk.found.size()), wanted_words_(std::exchange(walk.wants_words, false)) {}
+  ~PastTheLimit() {
+    for (std::size_t i = found_; i < walk_.found.size(); ++i) walk_.cut_off += walk_.found[i].value / kShare;
+    walk_.found.resize(found_);
+    walk_.wants_words = wanted_words_;
+  }
+  PastTheLimit(const PastTheLimit&) = delete;
+  PastTheLimit& operator=(const PastTheLimit&) = delete;
+
+ private:
+  Walk& walk_;
+  std::size_t found_;
+  bool wanted_words_;
+};
 
 /// A path that ran into a light: finishes its word and adds its value.
 void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol light, Rgb value);

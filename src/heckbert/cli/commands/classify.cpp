@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <heckbert/cli/files.h>
 #include <heckbert/cli/languages.h>
 #include <heckbert/cli/settings.h>
+#include <heckbert/record/statistics.h>
 #include <heckbert/report/classify.h>
 #include <heckbert/report/facts.h>
 #include <heckbert/report/words_text.h>
@@ -48,7 +50,10 @@ ExitCode run(const ClassifyFlags& options) {
   const std::vector<report::WordGroup> groups = report::classify(record, by, teaching_library(), how);
   console.detail(report::summary(record.info));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
-  fmt::print("{}", options.json ? report::groups_json(groups, by, record.info, how)
+  const double luminance = record::energy(record, std::vector<bool>(record.words.size(), true)).mean;
+  if (const std::string ended = report::termination(record.info, record.tally, luminance); !ended.empty())
+    console.note(ended);
+  fmt::print("{}", options.json ? report::groups_json(groups, by, record.info, record.tally, how)
                                 : report::groups_text(groups, by, console.table_style(), options.top));
   return ExitCode::Done;
 }
