@@ -53,18 +53,12 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
 }
 
 std::string termination(const record::RenderInfo& info, const record::Tally& tally, double luminance) {
-  std::string text;
-  if (tally.depth_limited > 0) {
-    const record::Estimate lost = record::cut_off(tally);
-    text = fmt::format("The depth limit of {} cut off {} walks and with them {} of all light (estimated: {} of {}).",
-                       info.max_depth, grouped(tally.depth_limited),
-                       percent(lost.mean > 0 ? lost.mean / (luminance + lost.mean) : 0), number(lost.mean),
-                       number(luminance + lost.mean));
-  }
-  if (tally.roulette > 0)
-    text += fmt::format("{}Roulette ended {} walks, whose light the others carry.", text.empty() ? "" : " ",
-                        grouped(tally.roulette));
-  return text;
+  if (tally.depth_limited == 0) return {};
+  const record::Estimate lost = record::cut_off(tally);
+  return fmt::format("The depth limit of {} cut off {} walks and with them {} of all light (estimated: {} of {}).",
+                     info.max_depth, grouped(tally.depth_limited),
+                     percent(lost.mean > 0 ? lost.mean / (luminance + lost.mean) : 0), number(lost.mean),
+                     number(luminance + lost.mean));
 }
 
 std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally) {

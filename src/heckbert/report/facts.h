@@ -18,8 +18,8 @@ struct Fact {
 /// Scene, algorithm, picture, samples, seed, depth, how walks ended, what was rejected, version.
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally);
 
-/// What a picture with this luminance lacks for its depth limit and what roulette did, in a sentence or two; empty when
-/// no walk was ended early.
+/// What a picture of this mean luminance lacks for its depth limit, in a sentence; empty when no walk reached it.
+/// Roulette loses nothing on average: what it ends, others carry.
 std::string termination(const record::RenderInfo& info, const record::Tally& tally, double luminance);
 
 /// What a reader must not overlook: an interrupted render, rejected contributions, too few samples for intervals.
