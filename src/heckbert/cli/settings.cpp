@@ -15,6 +15,7 @@
 #include <heckbert/cli/exit_code.h>
 #include <heckbert/cli/files.h>
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/transport/filter.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::cli {
@@ -93,6 +94,15 @@ const std::vector<Setting>& all_settings() {
         {"max-depth", "N", Scope::Tracing, "",
          fmt::format("most scatterings per path (default: the scene's, else {})", fallback.max_depth),
          [](Settings& s, const std::string& t) { s.max_depth = whole(t, 0, kMaxDepth); }},
+        {"filter", alternatives(transport::kFilters), Scope::Tracing, "",
+         fmt::format("pixel filter (default: the scene's, else {})", transport::kFilters.front().name),
+         [](Settings& s, const std::string& t) {
+           const transport::FilterFacts& filter = choose(t, transport::kFilters);
+           s.filter = {filter.kind, filter.radius};
+         }},
+        {"sampler", alternatives(transport::kSamplers), Scope::Tracing, "",
+         fmt::format("where random numbers come from (default: {})", transport::kSamplers.front().name),
+         [](Settings& s, const std::string& t) { s.sampler = choose(t, transport::kSamplers).kind; }},
         {"progress", alternatives(kWhens), Scope::Tracing, "", "progress on standard error (auto: on a terminal)",
          [](Settings& s, const std::string& t) { s.progress = choose(t, kWhens).when; }},
         {"dialect", "DIALECT", Scope::Dialect, "",

@@ -18,6 +18,8 @@
 #include <heckbert/record/record.h>
 #include <heckbert/taxonomy/dialect.h>
 #include <heckbert/taxonomy/glossy_rule.h>
+#include <heckbert/transport/sampler.h>
+#include <heckbert/transport/scene.h>
 
 namespace heckbert::cli {
 
@@ -35,6 +37,8 @@ struct Settings {
   std::optional<Size> size;
   std::optional<record::Window> crop;
   std::optional<int> max_depth;
+  std::optional<transport::PixelFilter> filter;
+  transport::SamplerKind sampler = transport::kSamplers.front().kind;
   When progress = When::Auto;
   taxonomy::GlossyRule glossy = taxonomy::GlossyRule::Keep;
   taxonomy::Dialect dialect = taxonomy::Dialect::Heckbert;

@@ -1,10 +1,16 @@
 #include <heckbert/import/scene_format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
+#include <heckbert/import/radiance_image.h>
 #include <heckbert/import/words.h>
+#include <heckbert/taxonomy/error.h>
+#include <heckbert/transport/filter.h>
 
 namespace heckbert::import {
 namespace {
@@ -19,8 +25,30 @@ const std::vector<Key<Camera>>& camera_keys() {
       key("fov", Number{{0, 175, true}}, &Camera::vertical_fov_degrees, "40", "vertical field of view, degrees"),
       key("lens_radius", Number{kNotNegative}, &Camera::lens_radius, "0", "0 is a pinhole, more a thin lens"),
       key("focus_distance", Number{kPositive}, &Camera::focus_distance, "1",
-          "what is in focus, along the viewing axis; for a lens")};
+          "what is in focus, along the viewing axis; for a lens"),
+      key("projection", Choice{{"perspective", "orthographic", "panoramic"}}, &Camera::projection, "perspective",
+          "`orthographic`: parallel rays; `panoramic`: all directions, longitude across and latitude down"),
+      key("height", Number{kPositive}, &Camera::height, "2", "of an orthographic picture, in scene units")};
   return keys;
+}
+
+/// A key that says something about another projection is a misunderstanding.
+void check_projection(Reader& in, const JsonNode& node, const Camera& camera) {
+  const struct {
+    const char* key;
+    Projection projection;
+    const char* name;
+  } rules[] = {{"fov", Projection::Perspective, "perspective"},
+               {"lens_radius", Projection::Perspective, "perspective"},
+               {"focus_distance", Projection::Perspective, "perspective"},
+               {"height", Projection::Orthographic, "orthographic"}};
+  for (const auto& rule : rules) {
+    const JsonNode* given = node.find(rule.key);
+    if (given != nullptr && camera.projection != rule.projection) {
+      in.error(*given,
+               std::string("only a camera with \"projection\": \"") + rule.name + "\" takes \"" + rule.key + "\"");
+    }
+  }
 }
 
 void read_camera(Reader& in, const JsonNode& node, Camera& out) {
@@ -29,12 +57,30 @@ void read_camera(Reader& in, const JsonNode& node, Camera& out) {
   if (in.error_count() != errors_before) {
     return;
   }
+  check_projection(in, node, out);
   const glm::vec3 view = out.look_at - out.position;
   if (view == glm::vec3(0)) {
     in.error(*node.find("look_at"), "the camera looks at the place where it stands",
              "move \"look_at\" away from \"position\"");
   } else if (!(glm::length(glm::cross(glm::normalize(view), out.up)) > 1e-4f * glm::length(out.up))) {
     in.error(node, "\"up\" must not be zero or point along the line of sight");
+  }
+}
+
+const Choice& filter_names() {
+  static const Choice names = [] {
+    Choice choice;
+    for (const FilterFacts& filter : kFilters) {
+      choice.words.emplace_back(filter.name);
+    }
+    return choice;
+  }();
+  return names;
+}
+
+void read_filter(Reader& in, const JsonNode& node, std::optional<PixelFilter>& out) {
+  if (const auto index = filter_names().parse(in, node)) {
+    out = {kFilters[*index].kind, kFilters[*index].radius};
   }
 }
 
@@ -45,7 +91,9 @@ const std::vector<Key<RenderDefaults>>& render_keys() {
       key("height", Integer{1, 16384}, &D::height, "program", "pixels"),
       key("spp", Integer{1, 1000000}, &D::samples_per_pixel, "program", "samples per pixel"),
       key("max_depth", Integer{0, 1000}, &D::max_depth, "program", "most scatterings per path"),
-      key("seed", Integer{0, 0xFFFFFFFFFFFFFFFF}, &D::seed, "program", "of the random numbers")};
+      key("seed", Integer{0, 0xFFFFFFFFFFFFFFFF}, &D::seed, "program", "of the random numbers"),
+      key("filter", Custom<std::optional<PixelFilter>>{filter_names().describe(), read_filter}, &D::filter, "program",
+          "pixel filter")};
   return keys;
 }
 
@@ -54,7 +102,7 @@ void read_render(Reader& in, const JsonNode& node, RenderDefaults& out) {
 }
 
 const Choice& light_types() {
-  static const Choice types{{"point"}};
+  static const Choice types{{"point", "spot", "distant"}};
   return types;
 }
 
@@ -67,12 +115,93 @@ const std::vector<Key<PointLight>>& point_light_keys() {
   return keys;
 }
 
-void read_lights(Reader& in, const JsonNode& node, std::vector<PointLight>& out) {
+const std::vector<Key<SpotLight>>& spot_light_keys() {
+  static const std::vector<Key<SpotLight>> keys{
+      type_key<SpotLight>(light_types(), "the kind of light"),
+      key("position", Vector{}, &SpotLight::position, kRequired, "where it is"),
+      key("direction", Vector{}, &SpotLight::direction, kRequired, "of its axis, of any length"),
+      key("intensity", Colour{kNotNegative}, &SpotLight::intensity, kRequired, "per steradian, on the axis"),
+      key("cutoff", Number{{0, 180, true}}, &SpotLight::cutoff_degrees, "20",
+          "angle from the axis where the light ends, degrees"),
+      key("falloff", Number{{0, 180}}, &SpotLight::falloff_degrees, "15",
+          "angle from the axis where it begins to fall, linearly in the angle; at most the cutoff")};
+  return keys;
+}
+
+const std::vector<Key<DistantLight>>& distant_light_keys() {
+  static const std::vector<Key<DistantLight>> keys{
+      type_key<DistantLight>(light_types(), "the kind of light"),
+      key("direction", Vector{}, &DistantLight::direction, kRequired, "in which the light travels, of any length"),
+      key("irradiance", Colour{kNotNegative}, &DistantLight::irradiance, kRequired, "on a surface that faces it")};
+  return keys;
+}
+
+struct LightsDraft {
+  std::vector<PointLight> points;
+  std::vector<SpotLight> spots;
+  std::vector<DistantLight> distant;
+};
+
+void check_direction(Reader& in, const JsonNode& light, glm::vec3 direction) {
+  if (direction == glm::vec3(0)) {
+    in.error(light, "\"direction\" must not be zero");
+  }
+}
+
+void read_spot(Reader& in, const JsonNode& node, SpotLight& out) {
+  const std::size_t errors_before = in.error_count();
+  read_object(in, node, "spot light", spot_light_keys(), out);
+  if (in.error_count() != errors_before) {
+    return;
+  }
+  check_direction(in, node, out.direction);
+  if (out.falloff_degrees > out.cutoff_degrees) {
+    const JsonNode* falloff = node.find("falloff");
+    in.error(falloff != nullptr ? *falloff : node,
+             "the light cannot begin to fall beyond its cutoff of " + to_text(Rgb(out.cutoff_degrees)) + " degrees");
+  }
+}
+
+void read_distant(Reader& in, const JsonNode& node, DistantLight& out) {
+  const std::size_t errors_before = in.error_count();
+  read_object(in, node, "distant light", distant_light_keys(), out);
+  if (in.error_count() == errors_before) {
+    check_direction(in, node, out.direction);
+  }
+}
+
+void read_lights(Reader& in, const JsonNode& node, LightsDraft& out) {
   read_list(in, node, "a list of lights", [&](const JsonNode& item) {
-    if (read_type(in, item, "light", light_types())) {
-      read_object(in, item, "point light", point_light_keys(), out.emplace_back());
+    const auto type = read_type(in, item, "light", light_types());
+    if (!type) {
+      return;
+    }
+    const std::string& name = light_types().words[*type];
+    if (name == "point") {
+      read_object(in, item, "point light", point_light_keys(), out.points.emplace_back());
+    } else if (name == "spot") {
+      read_spot(in, item, out.spots.emplace_back());
+    } else {
+      read_distant(in, item, out.distant.emplace_back());
     }
   });
+}
+
+struct EnvironmentDraft {
+  std::string file;
+  Rgb scale{1.0f};
+  const JsonNode* transform = nullptr;
+  Interpolation interpolation = Interpolation::Bilinear;
+};
+
+const std::vector<Key<EnvironmentDraft>>& environment_image_keys() {
+  using D = EnvironmentDraft;
+  static const std::vector<Key<D>> keys{
+      key("file", Text{}, &D::file, kRequired, "HDR or EXR file, from the folder of the scene file"),
+      key("scale", Colour{kNotNegative}, &D::scale, "1", "multiplies the image"),
+      key("transform", Later{"list of transform steps"}, &D::transform, "`[]`", "turns the image; no move, no stretch"),
+      key("interpolation", Choice{{"nearest", "bilinear"}}, &D::interpolation, "bilinear", "between pixels")};
+  return keys;
 }
 
 struct GroupDraft {
@@ -102,6 +231,8 @@ const std::vector<Key<InstanceDraft>>& instance_keys() {
 
 struct SceneDraft {
   Scene scene;
+  LightsDraft lights;
+  const JsonNode* environment_image = nullptr;
   const JsonNode* materials = nullptr;
   const JsonNode* shapes = nullptr;
   const JsonNode* groups = nullptr;
@@ -130,9 +261,11 @@ const std::vector<Key<SceneDraft>>& scene_keys() {
       key("shapes", Later{"list of shapes"}, &D::shapes, "`[]`", "in world space"),
       key("groups", Later{"list of groups"}, &D::groups, "`[]`", "shapes to be placed by instances"),
       key("instances", Later{"list of instances"}, &D::instances, "`[]`", "placed groups"),
-      scene_key("lights", Custom<std::vector<PointLight>>{"list of lights", read_lights}, &Scene::point_lights, "`[]`",
-                "lights without a surface; area lights are materials with `emission`"),
+      key("lights", Custom<LightsDraft>{"list of lights", read_lights}, &D::lights, "`[]`",
+          "lights without a surface; area lights are materials with `emission`"),
       scene_key("environment", Colour{kNotNegative}, &Scene::environment, "0", "radiance from every direction"),
+      key("environment_image", Later{"an environment image"}, &D::environment_image, "none",
+          "radiance by direction; comes on top of `environment`"),
       scene_key("ambient", Colour{kNotNegative}, &Scene::ambient, "0",
                 "ambient light of the recursive tracers; no light path")};
   return keys;
@@ -147,6 +280,10 @@ class SceneBuilder {
     SceneDraft draft;
     read_object(in_, root_, "scene", scene_keys(), draft);
     imported_.scene = std::move(draft.scene);
+    imported_.scene.point_lights = std::move(draft.lights.points);
+    imported_.scene.spot_lights = std::move(draft.lights.spots);
+    imported_.scene.distant_lights = std::move(draft.lights.distant);
+    read_environment_image(draft.environment_image);
     if (root_.kind == JsonNode::Kind::Object) {
       read_materials(draft.materials);
       read_groups(draft.groups);
@@ -217,6 +354,42 @@ class SceneBuilder {
     });
   }
 
+  void read_environment_image(const JsonNode* node) {
+    if (node == nullptr) {
+      return;
+    }
+    EnvironmentDraft draft;
+    const std::size_t errors_before = in_.error_count();
+    read_object(in_, *node, "environment image", environment_image_keys(), draft);
+    const glm::mat4 to_world = draft.transform == nullptr ? glm::mat4(1) : read_transform(in_, *draft.transform);
+    if (in_.error_count() != errors_before) {
+      return;
+    }
+    EnvironmentImage image;
+    image.to_world = glm::mat3(to_world);
+    image.interpolation = draft.interpolation;
+    const glm::mat3 rest = glm::transpose(image.to_world) * image.to_world - glm::mat3(1);
+    for (int i = 0; i < 9; ++i) {
+      if (std::abs(rest[i / 3][i % 3]) > 1e-4f) {
+        in_.error(*draft.transform, "an environment image can only be turned or mirrored");
+        return;
+      }
+    }
+    try {
+      RadianceImage file = read_radiance_image(directory_ / draft.file);
+      image.width = file.width;
+      image.height = file.height;
+      image.pixels = std::move(file.pixels);
+    } catch (const ReadError& problem) {
+      in_.error(*node->find("file"), problem.what());
+      return;
+    }
+    for (Rgb& pixel : image.pixels) {
+      pixel *= draft.scale;
+    }
+    imported_.scene.environment_image = std::move(image);
+  }
+
   /// What only the whole scene can tell.
   void check_whole() {
     const Scene& scene = imported_.scene;
@@ -230,7 +403,9 @@ class SceneBuilder {
     const bool lamps = has_lamp(scene.shapes) ||
                        std::any_of(scene.instances.begin(), scene.instances.end(),
                                    [&](const Instance& i) { return has_lamp(scene.groups[i.group].shapes); });
-    if (!lamps && scene.point_lights.empty() && is_black(scene.environment) && is_black(scene.ambient)) {
+    const bool lights = !scene.point_lights.empty() || !scene.spot_lights.empty() || !scene.distant_lights.empty();
+    const bool sky = !is_black(scene.environment) || scene.environment_image;
+    if (!lamps && !lights && !sky && is_black(scene.ambient)) {
       in_.error(root_, "nothing in this scene gives light",
                 "add \"emission\" to a material that a shape is made of, or \"lights\", or an \"environment\"");
     }
@@ -241,11 +416,20 @@ class SceneBuilder {
     std::vector<std::string>& understood = imported_.account.understood;
     understood.push_back(count(scene.shapes.size(), "shape") + ", " + count(scene.groups.size(), "group") + ", " +
                          count(scene.instances.size(), "instance"));
-    if (!scene.point_lights.empty()) {
-      understood.push_back(count(scene.point_lights.size(), "point light"));
-    }
+    const auto tell_lights = [&](std::size_t number, const char* kind) {
+      if (number > 0) {
+        understood.push_back(count(number, kind));
+      }
+    };
+    tell_lights(scene.point_lights.size(), "point light");
+    tell_lights(scene.spot_lights.size(), "spot light");
+    tell_lights(scene.distant_lights.size(), "distant light");
     if (!is_black(scene.environment)) {
       understood.push_back("environment " + to_text(scene.environment));
+    }
+    if (scene.environment_image) {
+      understood.push_back("environment image of " + std::to_string(scene.environment_image->width) + "x" +
+                           std::to_string(scene.environment_image->height) + " pixels");
     }
   }
 
@@ -301,6 +485,12 @@ std::vector<ObjectFacts> scene_format() {
   out.push_back(facts_of("instance", "A group in its place.", instance_keys()));
   out.push_back(
       facts_of("light of type point", "A light without extent; only shadow rays find it.", point_light_keys()));
+  out.push_back(facts_of("light of type spot", "A point light that shines into a cone.", spot_light_keys()));
+  out.push_back(facts_of("light of type distant", "Parallel light from infinitely far away.", distant_light_keys()));
+  out.push_back(facts_of("environment image",
+                         "An equirectangular image around the scene, +y up: its left edge lies towards -z, its middle "
+                         "towards +z.",
+                         environment_image_keys()));
   return out;
 }
 

@@ -30,13 +30,17 @@ int batch_of(int sample, int samples_per_pixel) {
   return static_cast<int>(static_cast<std::int64_t>(sample) * batch_count(samples_per_pixel) / samples_per_pixel);
 }
 
+int first_of_batch(int batch, int samples_per_pixel) {
+  // The first sample s with floor(s * batches / samples) == batch.
+  const std::int64_t batches = batch_count(samples_per_pixel);
+  return static_cast<int>((static_cast<std::int64_t>(batch) * samples_per_pixel + batches - 1) / batches);
+}
+
 std::array<int, kBatches> batch_sizes(int samples_per_pixel) {
-  const std::int64_t samples = samples_per_pixel, batches = batch_count(samples_per_pixel);
-  // The first sample s with floor(s * batches / samples) == b.
-  const auto first = [&](std::int64_t b) { return (b * samples + batches - 1) / batches; };
   std::array<int, kBatches> sizes{};
-  for (std::int64_t b = 0; b < batches; ++b)
-    sizes[static_cast<std::size_t>(b)] = static_cast<int>(first(b + 1) - first(b));
+  for (int b = 0; b < batch_count(samples_per_pixel); ++b)
+    sizes[static_cast<std::size_t>(b)] =
+        first_of_batch(b + 1, samples_per_pixel) - first_of_batch(b, samples_per_pixel);
   return sizes;
 }
 

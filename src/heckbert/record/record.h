@@ -88,6 +88,8 @@ inline constexpr int kBatches = 32;
 
 /// The batch of a sample: consecutive samples share one, and with fewer samples than batches each has its own.
 int batch_of(int sample, int samples_per_pixel);
+/// The first sample of a batch.
+int first_of_batch(int batch, int samples_per_pixel);
 /// How many batches are in use: min(kBatches, samples_per_pixel).
 int batch_count(int samples_per_pixel);
 /// How many samples of a pixel fall into each batch; they differ by one at most. Their sum is samples_per_pixel.

@@ -14,6 +14,9 @@ using taxonomy::Symbol;
 
 namespace {
 
+/// More lights than this are chosen through a tree.
+constexpr std::size_t kMostByPower = 64;
+
 LightSample from_delta(Symbol kind, const DeltaSample& delta) {
   return {
       .kind = kind, .direction = delta.direction, .radiance = delta.irradiance, .pdf_solid_angle = 1, .is_delta = true};
@@ -23,23 +26,28 @@ LightSample from_delta(Symbol kind, const DeltaSample& delta) {
 
 Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer), environment_(scene) {
   using Type = Source::Type;
-  std::vector<double> near_power, far_power;
+  std::vector<LightBounds> near;
   const auto& emitters = tracer.emitters();
   for (std::uint32_t i = 0; i < emitters.size(); ++i) {
     const Material& material = scene.materials[emitters[i].material];
-    const double sides = material.emission_sides == Sides::Both ? 2 : 1;
+    const bool both_sides = material.emission_sides == Sides::Both;
     near_.push_back({Type::Emitter, i});
-    near_power.push_back(sides * kPi * emitters[i].area * max_channel(material.emission));
+    near.push_back(bounds_of(emitters[i], both_sides,
+                             (both_sides ? 2 : 1) * kPi * emitters[i].area * max_channel(material.emission)));
   }
   const auto add_near = [&](Type type, const auto& lights) {
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
+      const LightBounds bounds = bounds_of(lights[i]);
+      if (!(bounds.power > 0)) continue;
       near_.push_back({type, i});
-      near_power.push_back(power(lights[i]));
+      near.push_back(bounds);
     }
   };
   add_near(Type::Point, scene.point_lights);
   add_near(Type::Spot, scene.spot_lights);
 
+  std::vector<double> near_power, far_power;
+  for (const LightBounds& bounds : near) near_power.push_back(bounds.power);
   const double radius = 0.5 * glm::length(tracer.bounds_high() - tracer.bounds_low());
   for (std::uint32_t i = 0; i < scene.distant_lights.size(); ++i) {
     far_.push_back({Type::Distant, i});
@@ -56,7 +64,10 @@ Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer
   for (double& p : far_power) p *= scale;
   far_power.insert(far_power.begin(), lamps);
   groups_ = DiscreteDistribution(std::move(far_power));
-  near_choice_ = DiscreteDistribution(std::move(near_power));
+  if (near.size() > kMostByPower)
+    near_tree_.emplace(near);
+  else
+    near_choice_ = DiscreteDistribution(std::move(near_power));
 }
 
 Rgb Lights::emitted(std::uint32_t material, bool front) const {
@@ -75,22 +86,30 @@ float Lights::pdf_environment(glm::vec3 direction) const {
 }
 
 float Lights::pdf_solid_angle(const Hit& hit, glm::vec3 from) const {
-  const double choice = groups_.probability(0) * near_choice_.probability(hit.emitter);
+  const double within = near_tree_ ? near_tree_->probability(hit.emitter, from) : near_choice_.probability(hit.emitter);
+  const double choice = groups_.probability(0) * within;
   return static_cast<float>(choice) *
          transport::pdf_solid_angle(tracer_.emitters()[hit.emitter], from, hit.position, hit.normal_geometric);
 }
 
+std::optional<LightTree::Choice> Lights::choose_near(glm::vec3 from, double u) const {
+  if (near_tree_) return near_tree_->sample(from, u);
+  const std::size_t light = near_choice_.sample(u).index;
+  return LightTree::Choice{light, near_choice_.probability(light)};
+}
+
 std::optional<LightSample> Lights::sample(glm::vec3 from, Sampler& sampler) const {
-  const double pick = static_cast<double>(sampler.next());
+  const double pick = sampler.next_fine();
   const glm::vec2 u = sampler.next2();
   if (empty()) return std::nullopt;
   const auto [group, rest] = groups_.sample(pick);
   double choice = groups_.probability(group);
   Source source{};
   if (group == 0) {
-    const std::size_t chosen = near_choice_.sample(rest).index;
-    choice *= near_choice_.probability(chosen);
-    source = near_[chosen];
+    const auto near = choose_near(from, rest);
+    if (!near) return std::nullopt;
+    choice *= near->probability;
+    source = near_[near->light];
   } else {
     source = far_[group - 1];
   }

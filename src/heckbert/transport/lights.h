@@ -1,7 +1,8 @@
 #pragma once
 // All the light sources of a scene in one table: the pieces of area lights, point, spot and distant lights, the
-// environment. A sample says where the light is, how much arrives and with what density; the density of hitting the
-// same place by chance is asked separately, so that multiple importance weights can be formed (Veach 1997, 9.2).
+// environment. One is chosen by power, or through a tree where there are many. A sample says where the light is, how
+// much arrives and with what density; the density of hitting the same place by chance is asked separately, so that
+// multiple importance weights can be formed (Veach 1997, 9.2).
 
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <heckbert/taxonomy/symbol.h>
 #include <heckbert/transport/discrete_distribution.h>
 #include <heckbert/transport/environment.h>
+#include <heckbert/transport/light_tree.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/tracer.h>
 
@@ -49,15 +51,17 @@ class Lights {
     std::uint32_t index;
   };
   Rgb emitted(std::uint32_t material, bool front) const;
+  std::optional<LightTree::Choice> choose_near(glm::vec3 from, double u) const;
   std::optional<LightSample> sample_source(Source source, glm::vec3 from, glm::vec2 u) const;
 
   const Scene& scene_;
   const Tracer& tracer_;
   Environment environment_;
-  std::vector<Source> near_;  ///< those with a place; emitters first, in the tracer's order
-  std::vector<Source> far_;   ///< those infinitely far away; the environment last
-  DiscreteDistribution near_choice_;
-  DiscreteDistribution groups_;  ///< all of near_, then each of far_
+  std::vector<Source> near_;            ///< those with a place; emitters first, in the tracer's order
+  std::vector<Source> far_;             ///< those infinitely far away; the environment last
+  std::optional<LightTree> near_tree_;  ///< over near_, when there are many
+  DiscreteDistribution near_choice_;    ///< by power otherwise
+  DiscreteDistribution groups_;         ///< all of near_, then each of far_
 };
 
 }  // namespace heckbert::transport

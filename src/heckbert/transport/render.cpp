@@ -114,6 +114,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const Eye eye(scene.camera, settings.width, settings.height, settings.filter);
   const World world{scene, tracer, lights, eye, settings.max_depth};
 
+  const SamplePlan plan{settings.sampler, settings.seed, settings.samples_per_pixel};
   const Window window = picture_window(settings);
   const std::vector<Window> tiles = tiles_of(window);
   ProgressMeter meter(hooks, window.pixel_count());
@@ -134,7 +135,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
           for (int sample = 0; sample < settings.samples_per_pixel; ++sample) {
             Walk walk{.sink = sink,
                       .found = found,
-                      .sampler = Sampler(settings.seed, x, y, sample),
+                      .sampler = Sampler(plan, x, y, sample),
                       .wants_words = wants_words};
             sink.begin_sample(x, y, sample);
             found.clear();

@@ -9,6 +9,7 @@
 
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/record.h>
+#include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
 namespace heckbert::transport {
@@ -38,6 +39,7 @@ struct RenderSettings {
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
   PixelFilter filter{};
+  SamplerKind sampler = kSamplers.front().kind;
 };
 
 struct Progress {

@@ -108,6 +108,8 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
       settings.samples_per_pixel.value_or(scene.samples_per_pixel.value_or(render.samples_per_pixel));
   render.max_depth = settings.max_depth.value_or(scene.max_depth.value_or(render.max_depth));
   render.seed = settings.seed.value_or(scene.seed.value_or(render.seed));
+  render.filter = settings.filter.value_or(scene.filter.value_or(render.filter));
+  render.sampler = settings.sampler;
   render.threads = settings.threads.value_or(render.threads);
   if (render.crop && (render.crop->x1 > render.width || render.crop->y1 > render.height))
     throw UsageError(
