@@ -189,6 +189,43 @@ TEST(JsonScene, ReadsCameraLightsAndRenderDefaults) {
   EXPECT_EQ(scene.shapes[0].name, "ball");
 }
 
+TEST(JsonScene, ReadsLightsSkyProjectionAndFilter) {
+  const Scene scene = read_json_scene(R"({
+    "camera": { "position": [1, 2, 3], "look_at": [0, 0, 0], "projection": "orthographic", "height": 7 },
+    "render": { "filter": "blackman-harris" },
+    "environment_image": { "file": "sky.hdr", "scale": [2, 1, 1], "interpolation": "nearest",
+                           "transform": [ { "rotate": { "axis": [0, 0, 1], "degrees": 90 } } ] },
+    "lights": [ { "type": "distant", "direction": [0, -2, 0], "irradiance": [1, 2, 3] },
+                { "type": "spot", "position": [0, 5, 0], "direction": [1, 0, 0], "intensity": 4, "cutoff": 50, "falloff": 40 } ],
+    "materials": [ { "name": "a", "lobes": [] } ],
+    "shapes": [ { "type": "disk", "material": "a", "center": [1, 0, 0], "normal": [0, 0, 2], "radius": 1,
+                  "transform": [ { "scale": 2 }, { "rotate": { "axis": [0, 1, 0], "degrees": 90 } } ] } ] })",
+                                      "test", kSourceDir / "tests/import/data")
+                          .scene;
+  EXPECT_EQ(scene.camera.projection, Projection::Orthographic);
+  EXPECT_EQ(scene.camera.height, 7);
+  ASSERT_TRUE(scene.defaults.filter);
+  EXPECT_EQ(scene.defaults.filter->kind, FilterKind::BlackmanHarris);
+  EXPECT_EQ(scene.defaults.filter->radius, 1.5f);
+  ASSERT_EQ(scene.distant_lights.size(), 1u);
+  EXPECT_EQ(scene.distant_lights[0].irradiance, Rgb(1, 2, 3));
+  ASSERT_EQ(scene.spot_lights.size(), 1u);
+  EXPECT_EQ(scene.spot_lights[0].direction, glm::vec3(1, 0, 0));
+  EXPECT_EQ(scene.spot_lights[0].cutoff_degrees, 50);
+  EXPECT_EQ(scene.spot_lights[0].falloff_degrees, 40);
+  ASSERT_TRUE(scene.environment_image);
+  const EnvironmentImage& sky = *scene.environment_image;
+  EXPECT_EQ(sky.width, 4);
+  EXPECT_EQ(sky.height, 2);
+  EXPECT_EQ(sky.interpolation, Interpolation::Nearest);
+  EXPECT_EQ(sky.pixels[0], Rgb(2, 1, 1));
+  EXPECT_NEAR((sky.to_world * glm::vec3(1, 0, 0)).y, 1, 1e-6);
+  const auto& disk = std::get<Disk>(scene.shapes[0].geometry);
+  EXPECT_EQ(disk.radius, 2);
+  EXPECT_NEAR(disk.center.z, -2, 1e-6);
+  EXPECT_NEAR(disk.normal.x, 4, 1e-5);
+}
+
 TEST(JsonScene, TheFileNamesASceneThatDoesNotNameItself) {
   const TemporaryFolder folder;
   const auto path = folder.write("my room.json", std::string(kHead) + R"("shapes": [

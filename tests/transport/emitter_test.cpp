@@ -65,10 +65,10 @@ Piece rectangle_piece() {
 }
 
 Piece disk_piece() {
-  const glm::dvec3 center(0.2, 0.1, -0.3), n = glm::normalize(glm::dvec3(1, 2, -1)), s = glm::normalize(glm::dvec3(2, -1, 0)),
-                   t = glm::cross(n, s);
+  const glm::dvec3 center(0.2, 0.1, -0.3), n = glm::normalize(glm::dvec3(1, 2, -1)),
+                                           s = glm::normalize(glm::dvec3(2, -1, 0)), t = glm::cross(n, s);
   constexpr double kRadius = 0.8;
-  return {"disk", disk_emitter(glm::vec3(center), glm::vec3(3.0 * n), kRadius),
+  return {"disk", disk_emitter(glm::vec3(center), glm::vec3(3.0 * n), static_cast<float>(kRadius)),
           [=](double r, double phi) {
             const double a = 2 * std::numbers::pi * phi;
             return Piece::Point{center + kRadius * r * (std::cos(a) * s + std::sin(a) * t), n,
@@ -83,7 +83,7 @@ Piece disk_piece() {
 Piece sphere_piece() {
   const glm::dvec3 center(0.1, -0.2, 0.3);
   constexpr double kRadius = 0.6;
-  return {"sphere", sphere_emitter(glm::vec3(center), kRadius),
+  return {"sphere", sphere_emitter(glm::vec3(center), static_cast<float>(kRadius)),
           [=](double s, double phi) {
             const double z = 1 - 2 * s, r = std::sqrt(1 - z * z), a = 2 * std::numbers::pi * phi;
             const glm::dvec3 n(r * std::cos(a), r * std::sin(a), z);
@@ -97,7 +97,8 @@ Piece sphere_piece() {
 }
 
 /// Close by, in the middle, far, at a grazing angle; inside the sphere too.
-const std::vector<glm::vec3> kPlaces{{0.1f, 0.3f, 0.9f}, {0.2f, -1.6f, 1.2f}, {5, 4, 9}, {3.0f, 0.2f, 0.6f}, {0.2f, 0, 0.3f}};
+const std::vector<glm::vec3> kPlaces{
+    {0.1f, 0.3f, 0.9f}, {0.2f, -1.6f, 1.2f}, {5, 4, 9}, {3.0f, 0.2f, 0.6f}, {0.2f, 0, 0.3f}};
 
 std::vector<Piece> pieces() {
   return {triangle_piece(), rectangle_piece(), disk_piece(), sphere_piece()};
@@ -128,9 +129,8 @@ TEST(Emitter, SamplesFollowTheirDensityAndItIsNormalised) {
         for (int j = 0; j < kCells * kSub; ++j) {
           const Piece::Point p = piece.at((i + 0.5) / (kCells * kSub), (j + 0.5) / (kCells * kSub));
           if (!is_visible(piece, p, from)) continue;
-          const double density =
-              pdf_solid_angle(piece.emitter, from, glm::vec3(p.position), glm::vec3(p.normal)) *
-              solid_angle_per_area(p, from) * p.area / (kCells * kSub * kCells * kSub);
+          const double density = pdf_solid_angle(piece.emitter, from, glm::vec3(p.position), glm::vec3(p.normal)) *
+                                 solid_angle_per_area(p, from) * p.area / (kCells * kSub * kCells * kSub);
           expected[static_cast<std::size_t>(i / kSub * kCells + j / kSub)] += density * kDraws;
           whole += density;
         }

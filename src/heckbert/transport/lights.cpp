@@ -48,7 +48,8 @@ Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer
 
   std::vector<double> near_power, far_power;
   for (const LightBounds& bounds : near) near_power.push_back(bounds.power);
-  const double radius = 0.5 * glm::length(tracer.bounds_high() - tracer.bounds_low());
+  const double half_diagonal = 0.5 * glm::length(tracer.bounds_high() - tracer.bounds_low());
+  const double radius = std::isfinite(half_diagonal) ? half_diagonal : 1.0;  // a scene of nothing but sky
   for (std::uint32_t i = 0; i < scene.distant_lights.size(); ++i) {
     far_.push_back({Type::Distant, i});
     far_power.push_back(power(scene.distant_lights[i], radius));
