@@ -267,7 +267,12 @@ int main(int argc, char** argv) {
     double aim;
   } rows[] = {{"boxes, 32 triangles", boxes(), 0.6}, {"ball, half a million triangles", ball(), 0.75}};
   for (const auto& row : rows) {
-    const transport::RenderSettings settings{.width = size, .height = size, .samples_per_pixel = samples, .threads = 1};
+    // The bare loop draws random numbers, so the renderer does too.
+    const transport::RenderSettings settings{.width = size,
+                                             .height = size,
+                                             .samples_per_pixel = samples,
+                                             .threads = 1,
+                                             .sampler = transport::SamplerKind::Random};
     const BareLoop bare_loop(row.scene);
     std::vector<double> ratios, ours, bare;
     double our_mean = 0, bare_mean = 0;
