@@ -22,6 +22,22 @@ glm::vec3 center_of(const LightBounds& b) {
   return 0.5f * (b.low + b.high);
 }
 
+/// Of 0 to pi.
+struct Angle {
+  float cosine = 1, sine = 0;
+};
+
+Angle angle_with(float cosine) {
+  cosine = std::clamp(cosine, -1.0f, 1.0f);
+  return {cosine, std::sqrt(1.0f - cosine * cosine)};
+}
+
+/// The difference, or zero when it is negative; without inverse functions, which would cost more than all the rest.
+Angle minus(Angle a, Angle b) {
+  if (a.cosine >= b.cosine) return {};
+  return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
+}
+
 double angle_of(double cosine) {
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
@@ -64,10 +80,10 @@ double importance(const LightBounds& b, glm::vec3 from) {
   if (b.both_sides) cosine = std::abs(cosine);
   // The smallest angle that any normal of the group may make with the direction from any of its points: the angle at
   // the centre less the spread of the normals and the angle that the bounds subtend.
-  const float angle = std::acos(std::clamp(cosine, -1.0f, 1.0f)) -
-                      std::acos(std::clamp(b.normals.cos_angle, -1.0f, 1.0f)) -
-                      std::asin(std::min(1.0f, std::sqrt(radius2 / distance2)));
-  const float best = angle > 0 ? std::cos(angle) : 1.0f;
+  const float subtended = std::sqrt(radius2 / distance2);
+  const Angle at_center = angle_with(cosine), spread = angle_with(b.normals.cos_angle);
+  const float best =
+      minus(minus(at_center, spread), {.cosine = std::sqrt(1.0f - radius2 / distance2), .sine = subtended}).cosine;
   if (best < b.cos_emission - kSlack) return 0;
   return b.power * static_cast<double>(std::max(best, kSlack)) / static_cast<double>(distance2);
 }
