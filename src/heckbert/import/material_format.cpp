@@ -120,6 +120,9 @@ struct MaterialDraft {
   Emission emission;
   Rgb phantom_reflectance;
   std::optional<Rgb> ambient_reflectance;
+  const JsonNode* medium = nullptr;
+  std::optional<int> priority;
+  bool is_index_matched = false;
 };
 
 const std::vector<Key<MaterialDraft>>& material_keys() {
@@ -136,7 +139,12 @@ const std::vector<Key<MaterialDraft>>& material_keys() {
       key("phantom_reflectance", Colour{kUnit}, &D::phantom_reflectance, "0",
           "weight of the mirror ray that the lecture's tracer follows where no mirror or glass does; no light path"),
       key("ambient_reflectance", Colour{kUnit}, &D::ambient_reflectance, "sum of the Lambert albedos",
-          "factor of the ambient term of the recursive tracers; no light path")};
+          "factor of the ambient term of the recursive tracers; no light path"),
+      key("medium", Later{"name of a medium"}, &D::medium, "nothing", "what fills the body that the surface encloses"),
+      key("priority", Integer{0, 1000}, &D::priority, "0",
+          "where bodies overlap, the higher one is there; among equals the one entered last"),
+      key("index_matched", Flag{}, &D::is_index_matched, "false",
+          "the surface is the boundary of its medium and nothing else: light goes straight through, without a letter")};
   return keys;
 }
 
@@ -179,7 +187,7 @@ void check_energy(Reader& in, const JsonNode& node, const Material& material) {
 
 }  // namespace
 
-Material read_material(Reader& in, const JsonNode& node) {
+Material read_material(Reader& in, const JsonNode& node, const Names& media) {
   MaterialDraft draft;
   std::vector<BoundKey> keys;
   bind(material_keys(), draft, keys);
@@ -197,7 +205,8 @@ Material read_material(Reader& in, const JsonNode& node) {
     in.error(*draft.lobes, "a material takes \"type\" or \"lobes\", not both");
   } else if (draft.lobes != nullptr) {
     read_lobes(in, *draft.lobes, material.lobes);
-  } else if (node.kind == JsonNode::Kind::Object && node.find("type") == nullptr && node.find("emission") == nullptr) {
+  } else if (node.kind == JsonNode::Kind::Object && node.find("type") == nullptr && node.find("emission") == nullptr &&
+             !draft.is_index_matched) {
     in.error(node, "this material says nothing about light: give it \"type\", \"lobes\" or \"emission\"",
              "\"lobes\": [] makes a black surface");
   }
@@ -206,6 +215,14 @@ Material read_material(Reader& in, const JsonNode& node) {
   material.emission_sides = draft.emission.sides;
   material.phantom_reflectance = draft.phantom_reflectance;
   material.ambient_reflectance = draft.ambient_reflectance;
+  if (draft.medium != nullptr || draft.priority) {
+    material.interior = Interior{media.find(in, draft.medium), draft.priority.value_or(0)};
+  }
+  material.is_index_matched = draft.is_index_matched;
+  if (material.is_index_matched && (!material.lobes.empty() || !is_black(material.emission))) {
+    in.error(*node.find("index_matched"), "an index-matched boundary has no lobes and emits nothing",
+             "leave out \"index_matched\", or the rest");
+  }
   check_energy(in, node, material);
   return material;
 }
@@ -276,6 +293,12 @@ std::string describe(const Material& material) {
   if (!is_black(material.emission)) {
     parts.push_back("emits " + to_text(material.emission) +
                     (material.emission_sides == Sides::Both ? " on both sides" : ""));
+  }
+  if (material.is_index_matched) {
+    parts.emplace_back("index-matched boundary");
+  }
+  if (material.interior) {
+    parts.push_back("encloses a body of priority " + std::to_string(material.interior->priority));
   }
   return parts.empty() ? "black" : join(parts);
 }

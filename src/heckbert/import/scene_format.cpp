@@ -187,6 +187,16 @@ void read_lights(Reader& in, const JsonNode& node, LightsDraft& out) {
   });
 }
 
+const std::vector<Key<Medium>>& medium_keys() {
+  static const std::vector<Key<Medium>> keys{
+      key("name", Text{}, &Medium::name, kRequired, "what materials and the scene call it"),
+      key("absorption", Colour{kNotNegative}, &Medium::absorption, "0", "coefficient per unit of length"),
+      key("scattering", Colour{kNotNegative}, &Medium::scattering, "0", "coefficient per unit of length"),
+      key("anisotropy", Number{{-0.999, 0.999}}, &Medium::anisotropy, "0",
+          "mean cosine of the angle of scattering; 0 is isotropic, above 0 forward")};
+  return keys;
+}
+
 struct EnvironmentDraft {
   std::string file;
   Rgb scale{1.0f};
@@ -233,6 +243,8 @@ struct SceneDraft {
   Scene scene;
   LightsDraft lights;
   const JsonNode* environment_image = nullptr;
+  const JsonNode* media = nullptr;
+  const JsonNode* medium = nullptr;
   const JsonNode* materials = nullptr;
   const JsonNode* shapes = nullptr;
   const JsonNode* groups = nullptr;
@@ -257,6 +269,8 @@ const std::vector<Key<SceneDraft>>& scene_keys() {
       scene_key("camera", Custom<Camera>{"a camera", read_camera}, &Scene::camera, kRequired, "the eye"),
       scene_key("render", Custom<RenderDefaults>{"a render object", read_render}, &Scene::defaults, "program",
                 "what the author suggests; flags override it"),
+      key("media", Later{"list of media"}, &D::media, "`[]`", "fog, milk, the colour of glass"),
+      key("medium", Later{"name of a medium"}, &D::medium, "nothing", "what fills all space outside of bodies"),
       key("materials", Later{"list of materials"}, &D::materials, kRequired, "at least one"),
       key("shapes", Later{"list of shapes"}, &D::shapes, "`[]`", "in world space"),
       key("groups", Later{"list of groups"}, &D::groups, "`[]`", "shapes to be placed by instances"),
@@ -285,6 +299,8 @@ class SceneBuilder {
     imported_.scene.distant_lights = std::move(draft.lights.distant);
     read_environment_image(draft.environment_image);
     if (root_.kind == JsonNode::Kind::Object) {
+      read_media(draft.media);
+      imported_.scene.medium = media_.find(in_, draft.medium);
       read_materials(draft.materials);
       read_groups(draft.groups);
       read_shapes(draft.shapes, imported_.scene.shapes);
@@ -301,12 +317,25 @@ class SceneBuilder {
   }
 
  private:
+  void read_media(const JsonNode* node) {
+    if (node == nullptr) {
+      return;
+    }
+    read_list(in_, *node, "a list of media", [&](const JsonNode& item) {
+      Medium& medium = imported_.scene.media.emplace_back();
+      read_object(in_, item, "medium", medium_keys(), medium);
+      media_.add(in_, item, medium.name);
+      imported_.account.understood.push_back("medium \"" + medium.name + "\": absorption " +
+                                             to_text(medium.absorption) + ", scattering " + to_text(medium.scattering));
+    });
+  }
+
   void read_materials(const JsonNode* node) {
     if (node == nullptr) {
       return;
     }
     read_list(in_, *node, "a list of materials", [&](const JsonNode& item) {
-      Material material = read_material(in_, item);
+      Material material = read_material(in_, item, media_);
       materials_.add(in_, item, material.name);
       imported_.account.understood.push_back("material \"" + material.name + "\": " + describe(material));
       imported_.scene.materials.push_back(std::move(material));
@@ -436,6 +465,7 @@ class SceneBuilder {
   Reader in_;
   const JsonNode& root_;
   const std::filesystem::path& directory_;
+  Names media_{"medium", {}};
   Names materials_{"material", {}};
   Names groups_{"group", {}};
   Imported imported_;
@@ -478,6 +508,9 @@ std::vector<ObjectFacts> scene_format() {
   const auto add = [&](std::vector<ObjectFacts> more) {
     out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
+  out.push_back(facts_of("medium",
+                         "Homogeneous; light that it scatters has the letter V. Without scattering it only absorbs.",
+                         medium_keys()));
   add(material_format());
   add(shape_format());
   add(transform_format());

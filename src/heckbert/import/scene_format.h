@@ -45,7 +45,7 @@ struct Names {
   std::optional<std::uint32_t> find(Reader& in, const JsonNode* node) const;
 };
 
-transport::Material read_material(Reader& in, const JsonNode& node);
+transport::Material read_material(Reader& in, const JsonNode& node, const Names& media);
 /// "Lambert 0.7, mirror 0.2", for accounts.
 std::string describe(const transport::Material& material);
 std::vector<ObjectFacts> material_format();

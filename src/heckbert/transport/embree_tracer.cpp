@@ -418,7 +418,7 @@ glm::vec3 Tracer::bounds_high() const {
   return {b.upper_x, b.upper_y, b.upper_z};
 }
 
-std::optional<Hit> Tracer::intersect(const Ray& ray) const {
+std::optional<Hit> Tracer::intersect(const Ray& ray, float farthest) const {
   RTCRayHit query;
   query.ray.org_x = ray.origin.x;
   query.ray.org_y = ray.origin.y;
@@ -427,7 +427,7 @@ std::optional<Hit> Tracer::intersect(const Ray& ray) const {
   query.ray.dir_y = ray.direction.y;
   query.ray.dir_z = ray.direction.z;
   query.ray.tnear = 0;
-  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.tfar = farthest;
   query.ray.mask = ~0u;
   query.ray.time = 0;
   query.ray.flags = 0;

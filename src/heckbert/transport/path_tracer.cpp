@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
+#include <heckbert/transport/medium.h>
+#include <heckbert/transport/travel.h>
+
 namespace heckbert::transport {
 
 using record::PathEnd;
@@ -21,6 +26,7 @@ struct Continuation {
   bool by_delta = false;
   float pdf_solid_angle = 0;  ///< of the mixture; 0 after a delta lobe
   float radiance_scale = 1;   ///< the compression of radiance in `factor`, which roulette must not see
+  bool transmitted = false;   ///< through the surface
 };
 
 /// An index, and what the draw leaves over: again uniform in [0, 1).
@@ -60,7 +66,8 @@ std::optional<Continuation> follow_delta(const Vertex& vertex, std::size_t lobe,
                       .factor = branch.weight / probability,
                       .by_delta = true,
                       .pdf_solid_angle = 0,
-                      .radiance_scale = branch.radiance_scale};
+                      .radiance_scale = branch.radiance_scale,
+                      .transmitted = transmitted};
 }
 
 std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t sampled, glm::vec3 u, float u_lobe) {
@@ -88,7 +95,8 @@ std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t s
                       .factor = value[lobe] * (std::abs(wi->z) * total / (pdf * weight[lobe])),
                       .by_delta = false,
                       .pdf_solid_angle = pdf,
-                      .radiance_scale = transmitted ? radiance_compression(lobes[lobe], vertex.hit.front) : 1.0f};
+                      .radiance_scale = transmitted ? radiance_compression(lobes[lobe], vertex.hit.front) : 1.0f,
+                      .transmitted = transmitted};
 }
 
 std::optional<Continuation> follow(const Vertex& vertex, Sampler& sampler) {
@@ -99,6 +107,29 @@ std::optional<Continuation> follow(const Vertex& vertex, Sampler& sampler) {
   const Drawn lobe = draw(vertex.selection, vertex.lobes().size(), 1.0f, u_choice);
   return is_delta(vertex.lobes()[lobe.index]) ? follow_delta(vertex, lobe.index, u_lobe)
                                               : follow_non_delta(vertex, lobe.index, {u.x, u.y, lobe.u}, u_lobe);
+}
+
+/// Next-event estimation at a particle where the ray ends.
+void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, taxonomy::WordTrie::Node node,
+                              Rgb throughput) {
+  const std::optional<LightSample> light = world.lights.sample(ray.origin, walk.sampler);
+  if (!light) return;
+  const float anisotropy = walk.bodies.medium(world.scene)->anisotropy;
+  const float value = phase(anisotropy, glm::dot(ray.direction, light->direction));
+  const Rgb arriving = light->radiance * passage(world, walk, walk.bodies, ray.origin, *light);
+  if (is_black(arriving)) return;
+  const float weight = (light->is_delta ? 1.0f : power_heuristic(light->pdf_solid_angle, value)) * value;
+  walk.found.push_back({walk.step(walk.step(node, Symbol::V), light->kind),
+                        throughput * arriving * (weight / light->pdf_solid_angle), record::Technique::NextEvent});
+}
+
+Continuation scatter(const World& world, Walk& walk, const Ray& ray) {
+  const float anisotropy = walk.bodies.medium(world.scene)->anisotropy;
+  const glm::vec3 direction = sample_phase(anisotropy, ray.direction, walk.sampler.next2());
+  return {.ray = {ray.origin, direction},
+          .event = Symbol::V,
+          .factor = Rgb(1.0f),
+          .pdf_solid_angle = phase(anisotropy, glm::dot(ray.direction, direction))};
 }
 
 }  // namespace
@@ -115,9 +146,9 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
   };
 
   for (int depth = 0;; ++depth) {
-    ++walk.rays;
-    const std::optional<Hit> hit = world.tracer.intersect(ray);
-    if (!hit) {
+    const auto [hit, scattered] = travel(world, walk, ray, throughput);
+    if (is_black(throughput)) return end(PathEnd::Absorbed);
+    if (!hit && !scattered) {
       const Rgb sky = world.lights.environment(ray.direction);
       if (!is_black(sky)) {
         const float weight =
@@ -126,7 +157,7 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
       }
       return end(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
-    if (const Rgb emitted = world.lights.emitted(*hit); !is_black(emitted)) {
+    if (const Rgb emitted = hit ? world.lights.emitted(*hit) : Rgb{}; !is_black(emitted)) {
       const float weight =
           pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_solid_angle(*hit, previous)) : 1.0f;
       add_hit(walk, node, Symbol::La, throughput * emitted * weight);
@@ -137,10 +168,16 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
       past_the_limit.emplace(walk);
     }
 
-    const Vertex vertex(world.scene, *hit, ray.direction);
-    if (vertex.has_non_delta) gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
-
-    const std::optional<Continuation> next = follow(vertex, walk.sampler);
+    std::optional<Continuation> next;
+    if (scattered) {
+      gather_light_at_particle(world, walk, ray, node, throughput);
+      next = scatter(world, walk, ray);
+    } else {
+      const Vertex vertex = vertex_at(world, walk, *hit, ray.direction);
+      if (vertex.has_non_delta)
+        gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
+      next = follow(vertex, walk.sampler);
+    }
     if (!next) return end(PathEnd::Absorbed);
     throughput *= next->factor;
     radiance_scale *= next->radiance_scale;
@@ -152,7 +189,8 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
     }
     node = walk.step(node, next->event);
     pdf_arrival = next->pdf_solid_angle;
-    previous = hit->position;
+    previous = scattered ? ray.origin : hit->position;
+    if (next->transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);
     ray = next->ray;
   }
 }

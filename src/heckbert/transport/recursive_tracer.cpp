@@ -1,5 +1,7 @@
 #include <heckbert/transport/recursive_tracer.h>
 
+#include <heckbert/transport/travel.h>
+
 namespace heckbert::transport {
 
 using record::NonPath;
@@ -22,6 +24,7 @@ struct Branch {
   float radiance_scale = 1;  ///< compression of radiance in `weight`; see path_tracer.cpp
   int depth = 0;
   bool phantom = false;
+  Bodies bodies{};  ///< that the ray starts in
 };
 
 class Tree {
@@ -29,15 +32,16 @@ class Tree {
   Tree(const World& world, Walk& walk, const RecursiveOptions& options)
       : world_(world), walk_(walk), options_(options) {}
 
-  void trace(const Branch& branch) {
-    ++walk_.rays;
-    const std::optional<Hit> hit = world_.tracer.intersect(branch.ray);
+  void trace(Branch branch) {
+    walk_.bodies = branch.bodies;
+    const std::optional<Hit> hit = travel(world_, walk_, branch.ray, branch.weight, Particles::Dim).hit;
+    branch.bodies = walk_.bodies;
     if (!hit) {
       add(branch, Symbol::Le, world_.lights.environment(branch.ray.direction));
       return end(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     add(branch, Symbol::La, world_.lights.emitted(*hit));
-    const Vertex vertex(world_.scene, *hit, branch.ray.direction);
+    const Vertex vertex = vertex_at(world_, walk_, *hit, branch.ray.direction);
     add_ambient(branch, vertex);
     if (branch.depth != world_.max_depth) return go_on(branch, vertex);
     end(PathEnd::DepthLimit);
@@ -105,7 +109,9 @@ class Tree {
                 .weight = parent.weight * child.weight,
                 .radiance_scale = parent.radiance_scale * child.radiance_scale,
                 .depth = parent.depth + 1,
-                .phantom = parent.phantom};
+                .phantom = parent.phantom,
+                .bodies = parent.bodies};
+    if (transmitted && world_.has_bodies) next.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     descend(next);
     return true;
   }
@@ -140,7 +146,8 @@ class Tree {
 }  // namespace
 
 void trace_recursively(const World& world, Walk& walk, const Ray& ray, const RecursiveOptions& options) {
-  Tree(world, walk, options).trace({.ray = ray, .node = walk.sink.words().eye(world.eye.kind())});
+  Tree(world, walk, options)
+      .trace({.ray = ray, .node = walk.sink.words().eye(world.eye.kind()), .bodies = world.bodies_at_eye});
 }
 
 }  // namespace heckbert::transport

@@ -18,6 +18,7 @@
 #include <heckbert/transport/material.h>
 #include <heckbert/transport/path_tracer.h>
 #include <heckbert/transport/recursive_tracer.h>
+#include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
 
@@ -50,6 +51,7 @@ void check(const Scene& scene, const RenderSettings& settings) {
           fmt::format("the crop {},{},{},{} is not inside the {}x{} picture", w.x0, w.y0, w.x1, w.y1, settings.width,
                       settings.height));
   for (const Material& material : scene.materials) check_material(scene, material);
+  check_media(scene);
 }
 
 /// Tiles row by row, so that a picture fills from the top.
@@ -112,7 +114,14 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const Tracer tracer(scene);
   const Lights lights(scene, tracer);
   const Eye eye(scene.camera, settings.width, settings.height, settings.filter);
-  const World world{scene, tracer, lights, eye, settings.max_depth};
+  const bool bodies = has_bodies(scene);
+  const World world{scene,
+                    tracer,
+                    lights,
+                    eye,
+                    settings.max_depth,
+                    bodies,
+                    bodies ? bodies_at(scene, tracer, scene.camera.position) : Bodies{}};
 
   const SamplePlan plan{settings.sampler, settings.seed, settings.samples_per_pixel};
   const Window window = picture_window(settings);
@@ -136,7 +145,8 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
             Walk walk{.sink = sink,
                       .found = found,
                       .sampler = Sampler(plan, x, y, sample),
-                      .wants_words = wants_words};
+                      .wants_words = wants_words,
+                      .bodies = world.bodies_at_eye};
             sink.begin_sample(x, y, sample);
             found.clear();
             trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);

@@ -183,6 +183,22 @@ struct NormalMap {
 
 enum class Sides : std::uint8_t { Front, Both };
 
+/// A homogeneous medium: fog, milk, the colour of glass. Coefficients are per unit of length. Light is absorbed, and
+/// scattered with the phase function of Henyey and Greenstein. Letter V.
+struct Medium {
+  std::string name{};
+  Rgb absorption{};
+  Rgb scattering{};      ///< black: light is only absorbed, after Beer and Lambert
+  float anisotropy = 0;  ///< mean cosine of the angle of scattering, between -1 and 1; 0: isotropic
+};
+
+/// What a closed surface encloses. Surfaces that enclose something should be closed, or what is inside leaks out.
+struct Interior {
+  std::optional<std::uint32_t> medium{};  ///< index into Scene::media; none: empty space
+  /// Where bodies overlap, the higher one is there, and among equals the one entered last; see bodies.h.
+  int priority = 0;
+};
+
 /// A surface scatters by the sum of its lobes (a dielectric tells inside from outside by the geometric normal) and may
 /// emit; an emitter also reflects.
 struct Material {
@@ -201,6 +217,10 @@ struct Material {
   std::optional<NormalMap> normal_map{};
   /// The share of the surface that is there; through the rest light goes straight, and no letter tells of it.
   std::optional<ScalarTexture> opacity{};
+  std::optional<Interior> interior{};
+  /// The surface is the boundary of its interior and nothing else: light goes straight through, and no letter tells of
+  /// it. Without lobes and emission.
+  bool is_index_matched = false;
 };
 
 inline constexpr std::size_t kMaxLobes = 8;
@@ -329,6 +349,8 @@ struct Scene {
   std::string title;  ///< one line for people
   std::vector<Material> materials;
   std::vector<Texture> textures{};
+  std::vector<Medium> media{};
+  std::optional<std::uint32_t> medium{};  ///< index into media: what fills all space outside of bodies; none: nothing
   std::vector<Shape> shapes{};
   std::vector<Group> groups;
   std::vector<Instance> instances;

@@ -56,7 +56,8 @@ class Tracer {
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  std::optional<Hit> intersect(const Ray& ray) const;
+  /// The nearest hit, at most `farthest` away.
+  std::optional<Hit> intersect(const Ray& ray, float farthest = std::numeric_limits<float>::infinity()) const;
   /// Is anything between the two points? Both must already be off their surfaces.
   bool is_occluded(glm::vec3 from, glm::vec3 to) const;
   /// Is anything in this direction, however far?

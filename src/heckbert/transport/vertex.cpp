@@ -5,10 +5,25 @@
 #include <glm/geometric.hpp>
 
 #include <heckbert/transport/texture.h>
+#include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
 
 namespace {
+
+/// The light sample's radiance as it arrives at the vertex; black when something is in between.
+Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
+                   const LightSample& light) {
+  if (world.has_bodies) {
+    Bodies bodies = walk.bodies;
+    if (transmitted) bodies.cross(world.scene, vertex.hit.material, vertex.hit.front);
+    return light.radiance * passage(world, walk, bodies, origin, light);
+  }
+  ++walk.rays;
+  const bool occluded = light.infinite ? world.tracer.is_occluded(Ray{origin, light.direction})
+                                       : world.tracer.is_occluded(origin, light.target);
+  return occluded ? Rgb{} : light.radiance;
+}
 
 /// Next-event estimation without words: calls per_lobe(event, light kind, value) for each lobe that sends light back.
 template <class PerLobe>
@@ -21,14 +36,12 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
   const bool transmitted = wi->z < 0;
   if (transmitted && !vertex.transmits) return;
   const glm::vec3 origin = leave(vertex.hit, vertex.hit.front != transmitted);
-  ++walk.rays;
-  if (light->infinite ? world.tracer.is_occluded(Ray{origin, light->direction})
-                      : world.tracer.is_occluded(origin, light->target))
-    return;
+  const Rgb arriving = arriving_light(world, walk, vertex, transmitted, origin, *light);
+  if (is_black(arriving)) return;
   float weight = std::abs(wi->z) / light->pdf_solid_angle;
   if (rule.multiple_importance && !light->is_delta)
     weight *= power_heuristic(light->pdf_solid_angle, vertex.pdf_solid_angle(*wi));
-  const Rgb incident = light->radiance * weight;
+  const Rgb incident = arriving * weight;
   for (const Lobe& lobe : vertex.lobes()) {
     const taxonomy::Symbol event = letter(lobe, transmitted);
     if (!rule.glossy && taxonomy::facts(event).letter != 'D') continue;
@@ -39,7 +52,7 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
 
 }  // namespace
 
-Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction)
+Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front)
     : hit(found), material(&scene.materials[found.material]) {
   const float side = hit.front ? 1.0f : -1.0f;
   const auto shade_with = [&](glm::vec3 normal) {
@@ -69,9 +82,17 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction)
   }
 
   lobe_count_ = hit.front || material->lobe_sides == Sides::Both ? material->lobes.size() : 0;
-  if (!material->textures.empty() && hit.has_coordinates) {
-    std::copy(material->lobes.begin(), material->lobes.end(), textured_.emplace().begin());
-    for (const LobeTexture& use : material->textures) apply_texture(scene, use, hit.uv, (*textured_)[use.lobe]);
+  const bool is_textured = !material->textures.empty() && hit.has_coordinates;
+  if (is_textured || index_in_front != 1)
+    std::copy(material->lobes.begin(), material->lobes.end(), lobes_here_.emplace().begin());
+  if (index_in_front != 1) {
+    for (Lobe& lobe : *lobes_here_) {
+      if (auto* glass = std::get_if<Dielectric>(&lobe)) glass->ior /= index_in_front;
+      if (auto* rough = std::get_if<RoughDielectric>(&lobe)) rough->ior /= index_in_front;
+    }
+  }
+  if (is_textured) {
+    for (const LobeTexture& use : material->textures) apply_texture(scene, use, hit.uv, (*lobes_here_)[use.lobe]);
   }
   const std::span<const Lobe> here = lobes();
   for (std::size_t i = 0; i < here.size(); ++i) {

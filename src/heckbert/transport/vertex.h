@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <heckbert/record/path_sink.h>
+#include <heckbert/transport/bodies.h>
 #include <heckbert/transport/eye.h>
 #include <heckbert/transport/frame.h>
 #include <heckbert/transport/lights.h>
@@ -25,6 +26,8 @@ struct World {
   const Lights& lights;
   const Eye& eye;
   int max_depth;
+  bool has_bodies = false;  ///< some space is filled: with a medium, or with what a surface encloses
+  Bodies bodies_at_eye{};
 };
 
 /// What one camera sample carries along.
@@ -34,7 +37,8 @@ struct Walk {
   Sampler sampler;
   bool wants_words = true;  ///< false when only the picture is asked for: nothing is spelt then
   std::uint64_t rays = 0;
-  Rgb cut_off{};  ///< light that the depth limit cut off, estimated
+  Bodies bodies{};  ///< that the walk is in
+  Rgb cut_off{};    ///< light that the depth limit cut off, estimated
 
   taxonomy::WordTrie::Node step(taxonomy::WordTrie::Node node, taxonomy::Symbol letter) {
     return wants_words ? sink.words().step(node, letter) : node;
@@ -57,11 +61,13 @@ struct Vertex {
   float total_weight = 0;                    ///< sum of the selection weights; 0: the surface is black
   std::array<float, kMaxLobes> selection{};  ///< probability of following each lobe
 
-  Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction);
+  /// `index_in_front` is the index of refraction of what lies before the surface, which its interfaces are relative to.
+  Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front = 1);
 
-  /// The material's lobes as they are here, after textures; none on the back of a one-sided material.
+  /// The material's lobes as they are here, after textures and with their indices relative; none on the back of a
+  /// one-sided material.
   std::span<const Lobe> lobes() const {
-    if (textured_) return std::span(*textured_).first(lobe_count_);
+    if (lobes_here_) return std::span(*lobes_here_).first(lobe_count_);
     return std::span(material->lobes).first(lobe_count_);
   }
   /// Density of following any non-delta lobe into wi, selection included: the density that multiple importance weights
@@ -75,8 +81,14 @@ struct Vertex {
 
  private:
   std::size_t lobe_count_ = 0;
-  std::optional<std::array<Lobe, kMaxLobes>> textured_;
+  std::optional<std::array<Lobe, kMaxLobes>> lobes_here_;
 };
+
+/// The vertex that the walk stands at.
+inline Vertex vertex_at(const World& world, const Walk& walk, const Hit& hit, glm::vec3 ray_direction) {
+  return {world.scene, hit, ray_direction,
+          world.has_bodies ? walk.bodies.index_in_front(world.scene, hit.material) : 1.0f};
+}
 
 /// How direct light is gathered at a vertex.
 struct DirectLight {

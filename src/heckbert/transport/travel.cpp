@@ -1,0 +1,121 @@
+#include <heckbert/transport/travel.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <heckbert/transport/medium.h>
+
+namespace heckbert::transport {
+
+namespace {
+
+/// More boundaries than any scene has in a line; a ray that meets more is caught between two of them by rounding.
+constexpr int kMostBoundaries = 4096;
+
+/// Lamps are seen wherever they are, so that sampling them and running into them agree.
+bool is_passed(const Scene& scene, const Bodies& bodies, const Hit& hit) {
+  const Material& material = scene.materials[hit.material];
+  return material.is_index_matched || (is_black(material.emission) && !bodies.shows(scene, hit.material, hit.front));
+}
+
+void pass(const Scene& scene, Bodies& bodies, const Hit& hit, glm::vec3& origin) {
+  bodies.cross(scene, hit.material, hit.front);
+  origin = leave(hit, !hit.front);
+}
+
+}  // namespace
+
+Meeting travel_through_bodies(const World& world, Walk& walk, Ray& ray, Rgb& throughput, Particles particles) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
+    ++walk.rays;
+    const std::optional<Hit> hit = world.tracer.intersect(ray);
+    if (const Medium* medium = walk.bodies.medium(world.scene)) {
+      const float farthest = hit ? glm::distance(hit->position, ray.origin) : kInfinity;
+      const Flight flight = particles == Particles::Scatter ? fly(*medium, farthest, walk.sampler)
+                                                            : Flight{farthest, false, transmittance(*medium, farthest)};
+      throughput *= flight.weight;
+      if (flight.scattered) {
+        ray.origin += flight.distance * ray.direction;
+        return {std::nullopt, true};
+      }
+    }
+    if (!hit || !is_passed(world.scene, walk.bodies, *hit)) return {hit, false};
+    pass(world.scene, walk.bodies, *hit, ray.origin);
+  }
+  throughput = Rgb(0);
+  return {};
+}
+
+Rgb passage(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Rgb passed(1.0f);
+  for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
+    const float farthest = light.infinite ? kInfinity : glm::distance(light.target, from);
+    const glm::vec3 direction = light.infinite ? light.direction : (light.target - from) / farthest;
+    ++walk.rays;
+    const std::optional<Hit> hit = world.tracer.intersect(Ray{from, direction}, farthest);
+    if (const Medium* medium = bodies.medium(world.scene))
+      passed *= transmittance(*medium, hit ? glm::distance(hit->position, from) : farthest);
+    if (!hit) return passed;
+    if (!is_passed(world.scene, bodies, *hit)) break;
+    pass(world.scene, bodies, *hit, from);
+  }
+  return {};
+}
+
+Bodies bodies_at(const Scene& scene, const Tracer& tracer, glm::vec3 point) {
+  Ray ray{point, glm::normalize(glm::vec3(0.3257f, 0.5413f, 0.7751f))};  // along nothing that people build
+  std::map<std::uint32_t, int> entered;
+  std::vector<std::uint32_t> around;  // from the inside out
+  for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
+    const std::optional<Hit> hit = tracer.intersect(ray);
+    if (!hit) break;
+    if (scene.materials[hit->material].interior) {
+      int& open = entered[hit->material];
+      if (hit->front)
+        ++open;
+      else if (open > 0)
+        --open;
+      else
+        around.push_back(hit->material);
+    }
+    ray.origin = leave(*hit, !hit->front);
+  }
+  Bodies bodies;
+  for (auto body = around.rbegin(); body != around.rend(); ++body) bodies.cross(scene, *body, true);
+  return bodies;
+}
+
+bool has_bodies(const Scene& scene) {
+  return scene.medium || std::any_of(scene.materials.begin(), scene.materials.end(),
+                                     [](const Material& m) { return m.interior || m.is_index_matched; });
+}
+
+void check_media(const Scene& scene) {
+  const auto check_index = [&](std::optional<std::uint32_t> medium, const std::string& where) {
+    if (medium && *medium >= scene.media.size())
+      throw std::invalid_argument(fmt::format("{}: there is no medium {}", where, *medium));
+  };
+  check_index(scene.medium, "the scene");
+  for (const Material& m : scene.materials) {
+    if (m.interior) check_index(m.interior->medium, fmt::format("material '{}'", m.name));
+    if (m.is_index_matched && (!m.lobes.empty() || !is_black(m.emission)))
+      throw std::invalid_argument(
+          fmt::format("material '{}': an index-matched boundary has no lobes and emits nothing", m.name));
+  }
+  const auto is_coefficient = [](Rgb c) { return is_finite(c) && c.r >= 0 && c.g >= 0 && c.b >= 0; };
+  for (const Medium& medium : scene.media)
+    if (!is_coefficient(medium.absorption) || !is_coefficient(medium.scattering) ||
+        !(medium.anisotropy > -1 && medium.anisotropy < 1))
+      throw std::invalid_argument(fmt::format(
+          "medium '{}': coefficients must not be negative, and the anisotropy must lie between -1 and 1", medium.name));
+}
+
+}  // namespace heckbert::transport
