@@ -19,7 +19,10 @@ std::vector<std::uint32_t> sorting_order(const std::vector<taxonomy::Word>& word
 
 }  // namespace
 
-TileRecorder::TileRecorder(const RenderInfo& info) : samples_per_pixel_(info.samples_per_pixel) {}
+TileRecorder::TileRecorder(const RenderInfo& info, const SampleMap* sample_map)
+    : samples_per_pixel_(info.samples_per_pixel),
+      sample_map_(sample_map),
+      mean_repeats_(sample_map == nullptr ? 1.0 : sample_map->mean()) {}
 
 void TileRecorder::begin_tile(const Window& window) {
   assert(tile_nodes_.empty() && pixel_samples_ == 0 && "the tile before has ended");
@@ -37,6 +40,7 @@ void TileRecorder::begin_sample(int x, int y, int sample) {
     y_ = y;
     pixel_ = static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
              static_cast<std::size_t>(x - window.x0);
+    if (sample_map_ != nullptr) batch_weight_ = 1.0 / sample_map_->at(x, y);
     assert(pixels_[pixel_].last == 0 && "all samples of a pixel arrive together");
   }
   ++pixel_samples_;
@@ -56,9 +60,9 @@ void TileRecorder::add(const Contribution& contribution) {
   slot.g += g;
   slot.b += b;
   double* sums = &batch_sums_[slot.tile_word][batch_];
-  sums[0] += r;
-  sums[1] += g;
-  sums[2] += b;
+  sums[0] += batch_weight_ * r;
+  sums[1] += batch_weight_ * g;
+  sums[2] += batch_weight_ * b;
   ++(contribution.technique == Technique::Hit ? tile_.tally.hits : tile_.tally.next_events);
 }
 
@@ -96,7 +100,8 @@ void TileRecorder::end_path(PathEnd end) {
 
 void TileRecorder::add_cut_off(Rgb value) {
   if (!accept(value)) return;
-  const double light = static_cast<double>(luminance(value));
+  // A mean over the picture, however often its pixels are repeated.
+  const double light = mean_repeats_ * batch_weight_ * static_cast<double>(luminance(value));
   tile_.tally.cut_off += light;
   tile_.tally.cut_off_squares += light * light;
 }

@@ -13,6 +13,7 @@
 
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/record.h>
+#include <heckbert/record/sample_map.h>
 
 namespace heckbert::record {
 
@@ -34,7 +35,8 @@ struct Tile {
 /// allocation once the words of the scene have been seen.
 class TileRecorder final : public PathSink {
  public:
-  explicit TileRecorder(const RenderInfo& info);
+  /// With a map, each sample number of a pixel comes as often as the map says; all of them count the same.
+  explicit TileRecorder(const RenderInfo& info, const SampleMap* sample_map = nullptr);
   void begin_tile(const Window& window);
   /// Call after the last sample of the tile. Pixels without samples have no entries.
   Tile end_tile();
@@ -65,6 +67,8 @@ class TileRecorder final : public PathSink {
   void finish_pixel();
 
   int samples_per_pixel_ = 0;
+  const SampleMap* sample_map_ = nullptr;
+  double mean_repeats_ = 1;
   Tile tile_;                                          ///< window, tally and non-path light of the current tile
   std::vector<Slot> slots_;                            ///< by trie node
   std::vector<taxonomy::WordTrie::Node> pixel_nodes_;  ///< words of the current pixel
@@ -74,8 +78,9 @@ class TileRecorder final : public PathSink {
   std::vector<Range> pixels_;                          ///< row by row over the tile
   std::size_t pixel_ = 0;                              ///< index of the current pixel in the tile
   int x_ = 0, y_ = 0;
-  int pixel_samples_ = 0;  ///< 0: no pixel begun
-  std::size_t batch_ = 0;  ///< of the current sample, as an offset into BatchSums
+  int pixel_samples_ = 0;    ///< 0: no pixel begun
+  std::size_t batch_ = 0;    ///< of the current sample, as an offset into BatchSums
+  double batch_weight_ = 1;  ///< of the current pixel's samples in their batches: one over their repeats
 };
 
 /// Thread-safe: tiles may be submitted from any thread in any order.

@@ -170,11 +170,11 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
 
     std::optional<Continuation> next;
     if (scattered) {
-      gather_light_at_particle(world, walk, ray, node, throughput);
+      if (world.next_event_estimation) gather_light_at_particle(world, walk, ray, node, throughput);
       next = scatter(world, walk, ray);
     } else {
       const Vertex vertex = vertex_at(world, walk, *hit, ray.direction);
-      if (vertex.has_non_delta)
+      if (vertex.has_non_delta && world.next_event_estimation)
         gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
       next = follow(vertex, walk.sampler);
     }
@@ -188,7 +188,7 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
       throughput *= 1.0f / survival;
     }
     node = walk.step(node, next->event);
-    pdf_arrival = next->pdf_solid_angle;
+    pdf_arrival = world.next_event_estimation ? next->pdf_solid_angle : 0.0f;
     previous = scattered ? ray.origin : hit->position;
     if (next->transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);
     ray = next->ray;

@@ -50,6 +50,10 @@ void check(const Scene& scene, const RenderSettings& settings) {
   require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= settings.width && w.y1 <= settings.height,
           fmt::format("the crop {},{},{},{} is not inside the {}x{} picture", w.x0, w.y0, w.x1, w.y1, settings.width,
                       settings.height));
+  require(!settings.sample_map ||
+              (settings.sample_map->window == w && settings.sample_map->repeats.size() == w.pixel_count() &&
+               std::ranges::all_of(settings.sample_map->repeats, [](auto n) { return n > 0; })),
+          "the sample map must repeat every pixel of the window at least once");
   for (const Material& material : scene.materials) check_material(scene, material);
   check_media(scene);
 }
@@ -121,39 +125,52 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
                     eye,
                     settings.max_depth,
                     bodies,
-                    bodies ? bodies_at(scene, tracer, scene.camera.position) : Bodies{}};
+                    bodies ? bodies_at(scene, tracer, scene.camera.position) : Bodies{},
+                    settings.next_event_estimation};
 
-  const SamplePlan plan{settings.sampler, settings.seed, settings.samples_per_pixel};
   const Window window = picture_window(settings);
   const std::vector<Window> tiles = tiles_of(window);
   ProgressMeter meter(hooks, window.pixel_count());
   std::atomic<std::size_t> next_tile{0}, pixels_done{0};
   const auto stopped = [&] { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); };
 
+  // A repeated sample is as good as one of another render.
+  const auto plan_of = [&](int repeat) {
+    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;
+    return SamplePlan{settings.sampler, settings.seed ^ (static_cast<std::uint64_t>(repeat) * kGoldenRatio),
+                      settings.samples_per_pixel};
+  };
   const auto work = [&](const tbb::blocked_range<int>&) {
     auto worker = make_worker();
     record::PathSink& sink = worker.sink();
     std::vector<record::Contribution> found;
+    const auto trace_sample = [&](const SamplePlan& plan, int x, int y, int sample) {
+      Walk walk{.sink = sink,
+                .found = found,
+                .sampler = Sampler(plan, x, y, sample),
+                .wants_words = wants_words,
+                .bodies = world.bodies_at_eye};
+      sink.begin_sample(x, y, sample);
+      found.clear();
+      trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);
+      sink.add(found);
+      if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
+      return walk.rays;
+    };
     for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
       const Window& tile = tiles[number];
       std::uint64_t rays = 0;
       std::size_t pixels = 0;
       worker.begin(tile);
       for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x, ++pixels)
-          for (int sample = 0; sample < settings.samples_per_pixel; ++sample) {
-            Walk walk{.sink = sink,
-                      .found = found,
-                      .sampler = Sampler(plan, x, y, sample),
-                      .wants_words = wants_words,
-                      .bodies = world.bodies_at_eye};
-            sink.begin_sample(x, y, sample);
-            found.clear();
-            trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);
-            sink.add(found);
-            if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
-            rays += walk.rays;
+        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x, ++pixels) {
+          const int repeats = settings.sample_map ? settings.sample_map->at(x, y) : 1;
+          for (int repeat = 0; repeat < repeats; ++repeat) {
+            const SamplePlan plan = plan_of(repeat);
+            for (int sample = 0; sample < settings.samples_per_pixel; ++sample)
+              rays += trace_sample(plan, x, y, sample);
           }
+        }
       worker.end(number);
       pixels_done += pixels;
       meter.advance(pixels, rays);
@@ -209,13 +226,14 @@ record::Record render(const Scene& scene, const RenderSettings& settings, const 
     void end(std::size_t number) { assembler.submit(number, recorder.end_tile()); }
   };
   const bool complete = trace_tiles(scene, settings, hooks, true, [&] {
-    return Worker{record::TileRecorder(info), assembler};
+    return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), assembler};
   });
   return assembler.finish(!complete);
 }
 
 record::Image render_picture_only(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
   check(scene, settings);
+  if (settings.sample_map) throw std::invalid_argument("a picture alone takes no sample map");
   const Window window = picture_window(settings);
   record::Image image{window, std::vector<Rgb>(window.pixel_count())};
   struct Worker {

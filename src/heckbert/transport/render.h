@@ -9,6 +9,7 @@
 
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/record.h>
+#include <heckbert/record/sample_map.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
@@ -38,6 +39,9 @@ struct RenderSettings {
   int max_depth = 32;  ///< most scatterings per path
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
+  /// Off: the path tracer finds lamps by running into them alone. For comparison; lights that cannot be hit stay dark.
+  bool next_event_estimation = true;
+  std::optional<record::SampleMap> sample_map{};  ///< for the window; unset: every pixel once
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;
 };
