@@ -116,8 +116,7 @@ std::vector<State> automaton_of(const Regex& regex) {
   enter({whole.first, false});
   for (; !waiting.empty(); waiting.pop_front()) {
     const Subset subset = waiting.front();
-    State state;
-    state.accepting = subset.second;
+    State state{std::vector<StateId>(kSymbolCount), subset.second};
     for (const taxonomy::SymbolFacts& f : kSymbols) {
       Subset next;
       for (const std::size_t p : subset.first)
@@ -141,7 +140,7 @@ std::vector<State> minimize_by_table(const std::vector<State>& states) {
     changed = false;
     for (std::size_t p = 0; p < n; ++p)
       for (std::size_t q = 0; q < n; ++q)
-        for (std::size_t s = 0; s < kSymbolCount && !differ[p][q]; ++s)
+        for (std::size_t s = 0; s < states[p].next.size() && !differ[p][q]; ++s)
           if (differ[states[p].next[s]][states[q].next[s]]) differ[p][q] = changed = true;
   }
   // Each state is represented by the first that it equals; walking from the start numbers the representatives.
@@ -184,9 +183,8 @@ std::vector<State> reversal(const std::vector<State>& states) {
   enter(accepting);
   std::vector<State> reversed;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    State state;
-    state.accepting = order[i].contains(0);
-    for (std::size_t s = 0; s < kSymbolCount; ++s) {
+    State state{std::vector<StateId>(states[0].next.size()), order[i].contains(0)};
+    for (std::size_t s = 0; s < state.next.size(); ++s) {
       Subset before;
       for (StateId q = 0; q < states.size(); ++q)
         if (order[i].contains(states[q].next[s])) before.insert(q);

@@ -283,9 +283,11 @@ TEST(Dialect, MistakesAreNamedWithARemedy) {
       {Osl, "EDL", "OSL calls the eye C", "did you mean 'CDL'?"},
       {Osl, "C D L", "no blanks", "did you mean 'CDL'?"},
       {Osl, "CD+*L", "a second repetition", "(D+)*"},
-      {Osl, "CD'skin'L", "labels are not supported yet", ""},
-      {Arnold, "C<RD'coat'>L", "labels are not supported yet", ""},
-      {VRay, "C[^'1''2']L", "labels are not supported yet", ""},
+      {Osl, "C<RD'skin>L", "a label that is never closed", ""},
+      {Arnold, "C<R'coat'>L", "a label stands third", "did you mean 'C<R.'coat'>L'?"},
+      {Osl, "C<'coat'>L", "a label stands third", "did you mean 'C<..'coat'>L'?"},
+      {VRay, "C<RD'1''2'>L", "a second label", "a letter of our words has one"},
+      {Karma, "C<RG['hair'['coat']]>L", "for labels; expected one in quotes", ""},
       {RenderMan, "C<RD2>L", "numbered lobes", "did you mean 'C<RD>L'?"},
       {RenderMan, "CD2L", "numbered lobes", "did you mean 'CDL'?"},
       {Osl, "C(DL", "'(' is never closed", "did you mean 'C(DL)'?"},
@@ -319,14 +321,14 @@ TEST(Dialect, MistakesAreNamedWithARemedy) {
 
 TEST(Dialect, AllErrorsOfATextAreFound) {
   try {
-    read_expression("CQD?'x'L>", Osl);
+    read_expression("CQD?<R'x'>L>", Osl);
     FAIL();
   } catch (const InputError& error) {
     ASSERT_EQ(error.diagnostics().size(), 4u);
     EXPECT_EQ(error.diagnostics()[0].column, 2u);
     EXPECT_EQ(error.diagnostics()[1].column, 4u);
-    EXPECT_EQ(error.diagnostics()[2].column, 5u);
-    EXPECT_EQ(error.diagnostics()[3].column, 9u);
+    EXPECT_EQ(error.diagnostics()[2].column, 7u);
+    EXPECT_EQ(error.diagnostics()[3].column, 12u);
   }
 }
 

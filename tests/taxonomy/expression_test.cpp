@@ -140,7 +140,11 @@ const std::vector<Malformed>& malformed() {
       {"C<RD>L", {{1, 2, 4, "'<..>' groups", "did you mean 'Dr'?"}}},
       {"C<.S>+L", {{1, 2, 4, "'<..>' groups", "did you mean 'S'?"}}},
       {"C<R.>L", {{1, 2, 4, "'<..>' groups", "did you mean '[DrGrSr]'?"}}},
-      {"CD'key'L", {{1, 3, 5, "labels are not read yet", ""}}},
+      {"CD'key", {{1, 3, 1, "a label that is never closed", ""}}},
+      {"LDE'key'", {{1, 4, 5, "the eye has no label", ""}}},
+      {"L[D'a']'b'E", {{1, 8, 3, "none of the letters before this label has it", ""}}},
+      {"L[^LaDp'a']E", {{1, 6, 2, "'Dp' is no letter", ""}}},
+      {"[^L'a'D]DE", {{1, 3, 4, "an end inside [^ ]", "[LaLe]"}}},
       {"^LDE", {{1, 1, 1, "'^' negates only inside brackets", "'!'"}}},
       // Ends.
       {"S+D", {{1, 1, 3, "no light end L and no eye end E", "did you mean 'L S+D E'?"}}},

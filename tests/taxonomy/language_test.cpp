@@ -81,7 +81,7 @@ TEST(Language, ReversalTwiceIsTheSameAndTurnsProductsRound) {
 }
 
 TEST(Language, RepetitionIsRepeatedConcatenation) {
-  const Language d = Language::of(std::vector{Symbol::Dr, Symbol::Dt}), s = Language::of(Symbol::Sr);
+  const Language d = Language::of(with_letter('D')), s = Language::of(single(Symbol::Sr));
   for (const Language& a : {d, d | s, concat(d, s), d | Language::epsilon(), concat(d, s) | d, Language::epsilon(),
                             Language::none(), repeat(d, 0, std::nullopt), concat(d, d) | concat(s, s)}) {
     std::vector<Language> powers{Language::epsilon()};
@@ -110,6 +110,7 @@ TEST(Language, RandomAutomataMinimiseAsTheSlowTwinsDo) {
     const std::size_t groups = 1 + random() % 3, sparse = 2 + random() % 6;
     std::vector<State> automaton(states);
     for (State& s : automaton) {
+      s.next.resize(kSymbolCount);
       s.accepting = random() % sparse == 0;
       for (std::size_t i = 0; i < kSymbolCount; ++i)
         s.next[i] = i < groups ? static_cast<StateId>(random() % states) : s.next[i % groups];
@@ -135,7 +136,7 @@ TEST(Language, BasicLanguagesHoldWhatTheySay) {
   EXPECT_EQ(Language::universe(), compile("L.*E"));
   EXPECT_EQ(Language::universe().states().size(), 4u);
   EXPECT_FALSE(Language::none().shortest());
-  EXPECT_FALSE(Language::of(Symbol::Sr).shortest_word());
+  EXPECT_FALSE(Language::of(single(Symbol::Sr)).shortest_word());
 }
 
 TEST(Language, ShortestWordIsTheFirstOfTheShortest) {

@@ -159,7 +159,7 @@ RC_GTEST_PROP(Reversal, TurnsEveryOperationRound, (const Events& x, const Events
 }
 
 RC_GTEST_PROP(Reversal, OfATextIsTheTextFromTheOtherEnd, (const Events& x)) {
-  const Language lights = Language::of(members(kLights)), eyes = Language::of(members(kEyes));
+  const Language lights = Language::of(kLights), eyes = Language::of(kEyes);
   RC_ASSERT(compile("E(" + x.text() + ")L") == concat(concat(lights, reverse(x.language())), eyes));
 }
 
@@ -198,7 +198,7 @@ RC_GTEST_PROP(Compile, IsTheOperationsOnThePieces, (const Paths& p)) {
     for (const SymbolFacts& f : kSymbols)
       if (text.find(f.letter) != std::string::npos &&
           (text.size() == 1 || text.find(std::string{f.letter, f.subscript}) != std::string::npos))
-        any = any | Language::of(f.symbol);
+        any = any | Language::of(single(f.symbol));
     return any;
   };
   const Language middle = language_of(*p.tree);

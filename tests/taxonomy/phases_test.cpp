@@ -17,7 +17,7 @@ Language language_of(const std::string& subsets) {
   std::vector<State> states;
   const auto state = [&](const std::string& name) {
     const auto [at, is_new] = number.try_emplace(name, static_cast<StateId>(states.size()));
-    if (is_new) states.emplace_back().next.fill(1);
+    if (is_new) states.push_back({std::vector<StateId>(kSymbolCount, 1), false});
     return at->second;
   };
   state("{0}");

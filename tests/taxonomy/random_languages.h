@@ -25,7 +25,7 @@ inline constexpr std::string_view kRandomLetters = "DGSVds";
 
 inline Language letter_language(char c) {
   const std::string text = letter_text(c);
-  return text.size() == 1 ? Language::of(members(with_letter(text[0]))) : Language::of(*find_symbol(text[0], text[1]));
+  return Language::of(text.size() == 1 ? with_letter(text[0]) : single(*find_symbol(text[0], text[1])));
 }
 
 inline std::string text_of(const oracle::Regex& regex) {

@@ -226,7 +226,7 @@ TEST(Twin, ExplanationsEndWithTheLongestBeginningOfAMember) {
               expected = static_cast<SymbolSet>(expected | with_letter(c));
         ASSERT_EQ(e.expected, expected) << text << " on " << whole;
         ASSERT_EQ(e.culprit.has_value(), !e.matches);
-        ASSERT_TRUE(e.matches || facts(*e.culprit).letter == whole[read]);
+        ASSERT_TRUE(e.matches || facts(e.culprit->symbol).letter == whole[read]);
         const auto steps = trace(language, word_of(word));
         ASSERT_EQ(steps.size(), std::min(read + 1, whole.size())) << text << " on " << whole;
       }

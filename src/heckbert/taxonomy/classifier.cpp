@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/label.h>
 
 namespace heckbert::taxonomy {
 
@@ -40,6 +41,8 @@ Classifier::Classifier(std::span<const Language> languages, WalkFrom from, std::
   const std::vector<Language> turned = from == WalkFrom::Eye ? reversed(languages) : std::vector<Language>{};
   if (from == WalkFrom::Eye) languages = turned;
   columns_ = shared_columns(languages);
+  for (const SymbolFacts& f : kSymbols)
+    unlabelled_[index(f.symbol)] = columns_.of[Alphabet::column(f.symbol, label_class(kUnlabelled))];
   std::vector<FusedAutomaton> single;
   for (std::size_t i = 0; i < languages.size(); ++i) single.emplace_back(languages[i], columns_, i, languages.size());
   for (FusedAutomaton& automaton : fuse_neighbours(single, std::min(state_budget, kFusedStates))) {
@@ -58,9 +61,8 @@ Classifier::Prefix Classifier::start() const {
 
 Membership Classifier::classify(const Word& word) const {
   Membership membership(language_count_);
-  std::vector<std::size_t> letters{columns_[index(word.light)]};
-  for (const Symbol s : word.events) letters.push_back(columns_[index(s)]);
-  letters.push_back(columns_[index(word.eye)]);
+  std::vector<std::size_t> letters;
+  for (const Letter& letter : letters_of(word)) letters.push_back(columns_.of[columns_.alphabet.column(letter)]);
   if (from_ == WalkFrom::Eye) std::reverse(letters.begin(), letters.end());
   for (const Group& g : groups_) {
     StateId at = 0;

@@ -18,10 +18,12 @@
 //
 // Immutable once built, so threads may share one.
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <heckbert/taxonomy/fused_automaton.h>
@@ -49,15 +51,14 @@ class Classifier {
   /// Nothing walked yet; the first step is the end that the walk starts from. Errors: LimitError when the groups do not
   /// fit a Prefix.
   Prefix start() const;
-  /// One letter further. Cost: one table step per group.
-  Prefix step(Prefix at, Symbol symbol) const {
-    const std::size_t column = columns_[index(symbol)];
-    if (groups_.size() == 1) [[likely]]
-      return groups_[0].automaton.step(static_cast<StateId>(at), column);
-    Prefix next = 0;
-    for (const Group& g : groups_) next |= Prefix{g.automaton.step(g.state(at), column)} << g.low_bit;
-    return next;
+  /// One letter without a label further. Cost: one table step per group.
+  Prefix step(Prefix at, Symbol symbol) const { return step_column(at, unlabelled_[index(symbol)]); }
+  /// One letter further, with a label of this class; what a renderer asks of its objects' names once, beforehand.
+  Prefix step(Prefix at, Symbol symbol, std::size_t label_class) const {
+    return step_column(at, columns_.of[Alphabet::column(symbol, label_class)]);
   }
+  /// Labels that no language singles out are all of one class; so is having none, unless '' is singled out.
+  std::size_t label_class(std::string_view label) const { return columns_.alphabet.class_of(label); }
   /// Calls f(i) for each language i that contains the word walked, in ascending order.
   template <class F>
   void for_each_member(Prefix word, F f) const {
@@ -95,9 +96,18 @@ class Classifier {
     StateId state(Prefix at) const { return static_cast<StateId>(at >> low_bit & mask); }
   };
 
+  Prefix step_column(Prefix at, std::size_t column) const {
+    if (groups_.size() == 1) [[likely]]
+      return groups_[0].automaton.step(static_cast<StateId>(at), column);
+    Prefix next = 0;
+    for (const Group& g : groups_) next |= Prefix{g.automaton.step(g.state(at), column)} << g.low_bit;
+    return next;
+  }
+
   std::size_t language_count_ = 0;
   WalkFrom from_;
   Columns columns_;
+  std::array<std::uint16_t, kSymbolCount> unlabelled_{};  ///< the column of each symbol without a label
   std::vector<Group> groups_;
   unsigned prefix_bits_ = 0;  ///< that the states of all groups take
 };

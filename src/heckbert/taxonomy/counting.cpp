@@ -124,6 +124,8 @@ bool is_one_term(const std::string& polynomial) {
 std::vector<Natural> count_words(const Language& language, std::size_t max_length) {
   const Language words = language & Language::universe();
   const std::vector<State>& states = words.states();
+  std::vector<std::vector<std::size_t>> columns;
+  for (const State& state : states) columns.push_back(representative_columns(words.alphabet(), state));
   std::vector<Natural> arrived(states.size());
   arrived[0] = Natural(1);
   std::vector<Natural> counts;
@@ -131,7 +133,7 @@ std::vector<Natural> count_words(const Language& language, std::size_t max_lengt
     std::vector<Natural> next(states.size());
     for (std::size_t q = 0; q < states.size(); ++q) {
       if (arrived[q].is_zero()) continue;
-      for (const StateId to : states[q].next) next[to].add(arrived[q]);
+      for (const std::size_t c : columns[q]) next[states[q].next[c]].add(arrived[q]);
     }
     arrived = std::move(next);
     if (letters < 2) continue;

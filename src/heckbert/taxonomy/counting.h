@@ -14,7 +14,8 @@
 
 namespace heckbert::taxonomy {
 
-/// Element n is the number of words with n scatterings, n = 0 .. max_length. Cost: states times max_length squared.
+/// Element n is the number of words with n scatterings, as first_words() would list them, n = 0 .. max_length. Cost:
+/// states times max_length squared.
 std::vector<Natural> count_words(const Language& language, std::size_t max_length);
 
 /// numerator / denominator in lowest terms, coefficients of x^0, x^1, ...; denominator[0] is 1.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -19,8 +18,13 @@ namespace heckbert::taxonomy {
 /// Moves of the nondeterministic automaton that subset construction may follow: a fraction of a second.
 inline constexpr std::size_t kMoveBudget = 10'000'000;
 
-[[noreturn]] inline void throw_state_limit() {
-  throw LimitError("the automaton needs more than " + std::to_string(kStateBudget) + " states");
+/// Throws LimitError when an automaton of this many states over this alphabet is larger than any may be.
+inline void check_state_budget(std::size_t states, const Alphabet& alphabet) {
+  const std::size_t most = std::min(kStateBudget, kTableBudget / alphabet.size());
+  if (states <= most) return;
+  const std::string with_labels =
+      alphabet.labels.empty() ? "" : " over " + std::to_string(alphabet.labels.size()) + " labels";
+  throw LimitError("the automaton needs more than " + std::to_string(most) + " states" + with_labels);
 }
 
 /// The set of states being built; each state enters once.
@@ -61,17 +65,19 @@ struct SubsetHash {
   }
 };
 
-/// For each symbol the first one that moves every state of all these automata to the same place. Most letters of an
-/// expression come without subscripts, so a few symbols stand for all and the construction is several times quicker.
-std::array<Symbol, kSymbolCount> twin_symbols(std::initializer_list<const Language*> automata);
+/// For each column the first one that moves every state of all these automata to the same place. Most letters of an
+/// expression come without subscripts and labels, so a few columns stand for all and the construction is several times
+/// quicker. `within[i]` gives for each column of the common alphabet that of automaton i; see columns_within().
+std::vector<std::size_t> twin_columns(const std::vector<const Language*>& automata,
+                                      const std::vector<std::vector<std::size_t>>& within);
 
-/// The minimal language of the automaton with states 0 .. size-1 that starts in what `start(subset)` inserts, goes from
-/// q with symbol s to what `step(q, s, subset)` inserts and accepts in q when `accepts(q)`.
-/// `twins` may name for each symbol an earlier one with the same steps. Errors: LimitError beyond kStateBudget states
-/// or kMoveBudget insertions.
+/// The minimal language over `alphabet` of the automaton with states 0 .. size-1 that starts in what `start(subset)`
+/// inserts, goes from q with a letter of column c to what `step(q, c, subset)` inserts and accepts in q when
+/// `accepts(q)`. `twins` names for each column an earlier one with the same steps, or itself. Errors: LimitError beyond
+/// kStateBudget states, kTableBudget moves in the result or kMoveBudget insertions.
 template <class Start, class Step, class Accepts>
-Language determinize(std::size_t size, const std::array<Symbol, kSymbolCount>& twins, Start start, Step step,
-                     Accepts accepts) {
+Language determinize(std::size_t size, const Alphabet& alphabet, const std::vector<std::size_t>& twins, Start start,
+                     Step step, Accepts accepts) {
   Subset subset(size);
   std::unordered_map<std::vector<StateId>, StateId, SubsetHash> number;
   std::vector<const std::vector<StateId>*> sets;  // keys of `number`, which do not move
@@ -79,7 +85,7 @@ Language determinize(std::size_t size, const std::array<Symbol, kSymbolCount>& t
   const auto enter = [&] {
     const auto [at, is_new] = number.try_emplace(subset.sorted(), static_cast<StateId>(sets.size()));
     if (is_new) {
-      if (sets.size() >= kStateBudget) throw_state_limit();
+      check_state_budget(sets.size() + 1, alphabet);
       sets.push_back(&at->first);
     }
     return at->second;
@@ -88,20 +94,20 @@ Language determinize(std::size_t size, const std::array<Symbol, kSymbolCount>& t
   enter();
   while (states.size() < sets.size()) {
     const std::vector<StateId>& set = *sets[states.size()];
-    State state;
+    State state{std::vector<StateId>(alphabet.size()), false};
     for (const StateId q : set) state.accepting = state.accepting || accepts(q);
-    for (const SymbolFacts& f : kSymbols) {
-      if (const Symbol twin = twins[index(f.symbol)]; twin != f.symbol) {
-        state.next[index(f.symbol)] = state.next[index(twin)];
+    for (std::size_t c = 0; c < alphabet.size(); ++c) {
+      if (twins[c] != c) {
+        state.next[c] = state.next[twins[c]];
         continue;
       }
       subset.clear();
-      for (const StateId q : set) step(q, f.symbol, subset);
-      state.next[index(f.symbol)] = enter();
+      for (const StateId q : set) step(q, c, subset);
+      state.next[c] = enter();
     }
-    states.push_back(state);
+    states.push_back(std::move(state));
   }
-  return Language::from_automaton(states);
+  return Language::from_automaton(states, alphabet);
 }
 
 }  // namespace heckbert::taxonomy

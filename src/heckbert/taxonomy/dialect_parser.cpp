@@ -4,6 +4,7 @@
 
 #include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/dialect_letters.h>
+#include <heckbert/taxonomy/label.h>
 #include <heckbert/taxonomy/lookalikes.h>
 #include <heckbert/taxonomy/utf8.h>
 
@@ -268,7 +269,7 @@ class DialectParser {
     if (peek() == '[') return brackets();
     if (peek() == '<') return group();
     Node node{.kind = NodeKind::Letters, .offset = at_};
-    node.set = letter();
+    node.set = at_label() ? labelled_event() : LetterSet(letter());
     node.length = at_ - node.offset;
     return node;
   }
@@ -319,22 +320,28 @@ class DialectParser {
     ++at_;
   }
 
-  void read_label() {
-    const char quote = peek();
-    const std::size_t open = at_++;
-    while (!at_end() && peek() != quote) {
-      if (peek() == '\\') ++at_;
-      ++at_;
+  bool at_label() const { return !at_end() && (peek() == '\'' || peek() == '"'); }
+
+  // The label that stands here; advances, also over what is wrong.
+  std::string label() {
+    const std::size_t open = at_;
+    const auto read = read_label(source_.document.substr(0, end_), at_);
+    if (!read) {
+      at_ = end_;
+      report(open, 1, "a label that is never closed; expected another " + std::string(1, source_.document[open]));
+      return {};
     }
-    at_ = std::min(at_ + 1, end_);
-    report(open, at_ - open, "labels are not supported yet");
+    at_ += read->length;
+    return read->label;
   }
+
+  // Outside <..>: any event with this label.
+  LetterSet labelled_event() { return LetterSet::labelled(any_of(dialect_), label()); }
 
   // Whatever stands here and is no letter of the dialect.
   void refuse_letter() {
     const char c = peek();
     const std::size_t begin = at_;
-    if (c == '\'' || c == '"') return read_label();
     const Utf8Character character = utf8_at(source_.document.substr(0, end_), at_);
     at_ += character.length;
     if (const Lookalike* l = find_lookalike(character.code))
@@ -399,9 +406,11 @@ class DialectParser {
                Edit{at_, 1, ""});
         ++at_;
       } else if (peek() == '<') {
-        const SymbolSet set = group().set;
+        const LetterSet set = group().set;
         if (negated) report(begin, at_ - begin, "'<..>' inside [^ ]; it takes single letters away");
         node.set |= set;
+      } else if (at_label()) {
+        node.set |= labelled_event();
       } else if (negated && peek() == '.') {
         ++at_;
         report(begin, 1, "'.' inside [^ ] leaves nothing");
@@ -417,7 +426,7 @@ class DialectParser {
              "write two sets, or name the events that are wanted");
     close(open, ']', "'[' is never closed");
     if (count == 0) report(open, at_ - open, "an empty set; expected " + expected());
-    if (negated) node.set = static_cast<SymbolSet>(any_of(dialect_) & ~node.set);
+    if (negated) node.set = LetterSet(any_of(dialect_)) - node.set;
     node.length = at_ - open;
     return node;
   }
@@ -436,7 +445,7 @@ class DialectParser {
     const std::size_t open = at_++;
     std::string moved;  // repetitions that belong behind the group
     std::size_t first_moved = 0;
-    SymbolSet set = kAllSymbols;
+    LetterSet set = kAllSymbols;
     std::size_t fields = 0;
     while (skip_blanks(), !at_end() && peek() != '>' && peek() != ')' && peek() != '|' && peek() != '<') {
       if (is_repetition(peek())) {
@@ -464,10 +473,9 @@ class DialectParser {
     } else {
       report(open, 1, "'<' is never closed", Edit{closing, 0, ">"}, "expected '>'");
     }
-    if (fields > 3) report(open, at_ - open, "more than a type, a scattering and a label in '<..>'");
     node.set = set;
     node.length = at_ - open;
-    if (set == 0) warn(node.offset, node.length, "no event of our words is this, so it matches nothing");
+    if (set.is_empty()) warn(node.offset, node.length, "no event of our words is this, so it matches nothing");
     return node;
   }
 
@@ -483,30 +491,51 @@ class DialectParser {
     return source_.text(begin, at_ - begin);
   }
 
-  // A field is a letter, '.', [..] or [^..]; the third one, the label, may only be '.'.
-  SymbolSet field(std::size_t place) {
+  // A field is a letter, '.', [..] or [^..]; the third one has labels for letters.
+  LetterSet field(std::size_t place) {
     if (peek() == '.') return ++at_, kAllSymbols;
-    if (peek() == '\'') return read_label(), kAllSymbols;
-    if (place >= 2) {
-      report(at_, 1, "the third place in '<..>' is for a label; expected '.' or '>'");
-      ++at_;
-      return kAllSymbols;
+    const std::size_t begin = at_;
+    if (at_label()) {
+      const std::string name = label();
+      check_label_place(place, begin);
+      return LetterSet::labelled(kAllSymbols, name);
     }
-    if (peek() != '[') return field_letter(place);
+    if (peek() != '[') {
+      if (place < 2) return field_letter(place);
+      report(at_, 1, "the third place in '<..>' is for a label; expected '.', a label in quotes or '>'");
+      return ++at_, kAllSymbols;
+    }
     const std::size_t open = at_++;
     const bool negated = peek() == '^';
     if (negated) ++at_;
-    SymbolSet set = 0;
+    LetterSet set;
     std::size_t count = 0;
+    bool has_label = false;
     for (; skip_blanks(), !at_end() && peek() != ']' && peek() != '>'; ++count) {
-      if (peek() == '\'')
-        read_label();
-      else
+      if (at_label()) {
+        has_label = true;
+        set |= LetterSet::labelled(kAllSymbols, label());
+      } else if (place < 2) {
         set |= field_letter(place);
+      } else {
+        report(at_, 1, "the third place in '<..>' is for labels; expected one in quotes");
+        ++at_;
+      }
     }
+    if (has_label) check_label_place(place, open);
     close(open, ']', "'[' is never closed");
     if (count == 0) report(open, at_ - open, "an empty set");
-    return negated ? static_cast<SymbolSet>(kAllSymbols & ~set) : set;
+    return negated ? LetterSet(kAllSymbols) - set : set;
+  }
+
+  // Labels stand third; a type or a scattering that was left out is '.'.
+  void check_label_place(std::size_t place, std::size_t begin) {
+    if (place < 2)
+      report(begin, at_ - begin, "a label stands third in '<..>', behind the type and the scattering",
+             Edit{begin, 0, place == 0 ? ".." : "."});
+    else if (place > 2)
+      report(begin, at_ - begin, "a second label in '<..>'; a letter of our words has one",
+             "name the one that is asked for");
   }
 
   SymbolSet field_letter(std::size_t place) {

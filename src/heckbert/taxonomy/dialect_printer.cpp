@@ -1,9 +1,11 @@
 #include <heckbert/taxonomy/dialect_printer.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include <heckbert/taxonomy/dialect_letters.h>
+#include <heckbert/taxonomy/label.h>
 #include <heckbert/taxonomy/regular_expression.h>
 
 namespace heckbert::taxonomy {
@@ -27,9 +29,13 @@ bool within(SymbolSet part, SymbolSet whole) {
   return part != 0 && (part & ~whole) == 0;
 }
 
-void add_grouped(Items& items, SymbolSet set, const DialectFacts& dialect) {
+// `label` is the third field of a group, empty for any.
+void add_grouped(Items& items, SymbolSet set, const DialectFacts& dialect, const std::string& label) {
   for (const KindLetter& kind : dialect.kinds)
-    if (const SymbolSet both = symbols_of(kind); within(both, set)) items.add(std::string(1, kind.letter), both);
+    if (const SymbolSet both = symbols_of(kind); within(both, set)) {
+      const std::string letter(1, kind.letter);
+      items.add(label.empty() ? letter : "<." + letter + label + ">", both);
+    }
   for (const auto& [type, subscript] : {std::pair{'R', 'r'}, std::pair{'T', 't'}}) {
     std::string letters;
     SymbolSet covered = 0;
@@ -42,7 +48,7 @@ void add_grouped(Items& items, SymbolSet set, const DialectFacts& dialect) {
     }
     if (letters.empty()) continue;
     if (covered == with_mode(subscript)) letters = ".";
-    items.add("<" + std::string(1, type) + (letters.size() > 1 ? "[" + letters + "]" : letters) + ">", covered);
+    items.add("<" + std::string(1, type) + (letters.size() > 1 ? "[" + letters + "]" : letters) + label + ">", covered);
   }
 }
 
@@ -57,12 +63,13 @@ void add_subscripted(Items& items, SymbolSet set) {
   }
 }
 
-void add_lights(Items& items, SymbolSet set, const DialectFacts& dialect) {
+void add_lights(Items& items, SymbolSet set, const DialectFacts& dialect, const std::string& label) {
   // All lights: every letter that adds to the others or that people expect beside them, as in [LOB].
   const bool everything = within(kLights, set) && dialect.orientation == Orientation::CameraFirst;
   for (const LightLetter& light : dialect.lights) {
     const SymbolSet one = symbols_of(light);
-    if (within(one, set) && (everything || (one & ~items.covered) != 0)) items.add(std::string(light.text), one);
+    if (within(one, set) && (everything || (one & ~items.covered) != 0))
+      items.add(label.empty() ? std::string(light.text) : "<" + std::string(light.text) + "." + label + ">", one);
   }
 }
 
@@ -70,6 +77,46 @@ void add_eyes(Items& items, SymbolSet set, const DialectFacts& dialect) {
   if (within(kEyes, set)) return items.add(std::string(1, dialect.eyes[0]), kEyes);
   if (dialect.has_groups) return;
   for (const Symbol s : members(set & kEyes)) items.add(name(s), single(s));
+}
+
+// ---- labels --------------------------------------------------------------------------------------------------------
+
+struct Labelled {
+  SymbolSet symbols = 0;
+  std::string label;  ///< as the third field of a group: "", "'a'", "[^'a''b']"
+};
+
+// A set as the symbols that it holds with any label, those of a single one, and those of all but a few.
+std::vector<Labelled> by_labels(const LetterSet& set) {
+  SymbolSet any = set.others();
+  for (const LetterSet::OfLabel& one : set.of_labels()) any = static_cast<SymbolSet>(any & (one.symbols | kEyes));
+  std::vector<Labelled> parts;
+  if (any != 0) parts.push_back({any, ""});
+  for (const LetterSet::OfLabel& one : set.of_labels())
+    if (const auto only = static_cast<SymbolSet>(one.symbols & ~set.others()); only != 0)
+      parts.push_back({only, write_label(one.label)});
+  for (const Symbol s : members(static_cast<SymbolSet>(set.others() & ~any))) {
+    std::string labels;
+    for (const LetterSet::OfLabel& one : set.of_labels())
+      if (!has(one.symbols, s)) labels += write_label(one.label);
+    labels = "[^" + labels + "]";
+    const auto alike = std::find_if(parts.begin(), parts.end(), [&](const Labelled& p) { return p.label == labels; });
+    if (alike != parts.end())
+      alike->symbols = static_cast<SymbolSet>(alike->symbols | single(s));
+    else
+      parts.push_back({single(s), labels});
+  }
+  return parts;
+}
+
+// [^'a''b']: whatever '.' is, but for a few labels; nothing when something else of these labels is in the set.
+std::optional<std::string> all_but(const LetterSet& missing, const DialectFacts& dialect) {
+  std::string text;
+  for (const LetterSet::OfLabel& one : missing.of_labels()) {
+    if (one.symbols != (any_of(dialect) & ~kEyes)) return std::nullopt;
+    text += write_label(one.label);
+  }
+  return "[^" + text + "]";
 }
 
 // ---- repetitions that the dialect has -------------------------------------------------------------------------------
@@ -265,17 +312,27 @@ class Printer {
 
 }  // namespace
 
-std::optional<std::string> item_text(SymbolSet set, const DialectFacts& dialect) {
-  if (set == kEvents || set == any_of(dialect)) return ".";
+std::optional<std::string> item_text(const LetterSet& set, const DialectFacts& dialect) {
+  if (set == LetterSet(kEvents) || set == LetterSet(any_of(dialect))) return ".";
+  if (!dialect.has_groups && !set.of_labels().empty()) return write(set);
+  const LetterSet missing = LetterSet(any_of(dialect)) - set;
+  if (missing.others() == 0)
+    if (auto text = all_but(missing, dialect)) return text;
   Items items;
-  if (dialect.has_groups)
-    add_grouped(items, set, dialect);
-  else
-    add_subscripted(items, set);
-  if (has(set, Symbol::V)) items.add("V", single(Symbol::V));
-  add_lights(items, set, dialect);
-  add_eyes(items, set, dialect);
-  if (items.covered != set || set == 0) return std::nullopt;
+  for (const Labelled& part : by_labels(set)) {
+    Items one;
+    if (dialect.has_groups)
+      add_grouped(one, part.symbols, dialect, part.label);
+    else
+      add_subscripted(one, part.symbols);
+    if (has(part.symbols, Symbol::V)) one.add(part.label.empty() ? "V" : "<V." + part.label + ">", single(Symbol::V));
+    add_lights(one, part.symbols, dialect, part.label);
+    if (part.label.empty()) add_eyes(one, part.symbols, dialect);
+    if (one.covered != part.symbols) return std::nullopt;
+    items.text += one.text;
+    items.count += one.count;
+  }
+  if (items.count == 0) return std::nullopt;
   return items.count == 1 ? items.text : "[" + items.text + "]";
 }
 

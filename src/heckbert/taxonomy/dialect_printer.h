@@ -9,8 +9,8 @@
 
 namespace heckbert::taxonomy {
 
-/// A set of symbols as one item of the dialect; nothing when no combination of its letters is that set.
-std::optional<std::string> item_text(SymbolSet set, const DialectFacts& dialect);
+/// A set of letters as one item of the dialect; nothing when no combination of its letters is that set.
+std::optional<std::string> item_text(const LetterSet& set, const DialectFacts& dialect);
 
 /// A tree of Letters, Sequence, Alternation and Repeat in the order in which the dialect is written; nothing when a set
 /// of letters cannot be said or the text would be longer than any person reads.

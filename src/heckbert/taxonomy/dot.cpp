@@ -1,7 +1,5 @@
 #include <heckbert/taxonomy/dot.h>
 
-#include <map>
-
 #include <heckbert/taxonomy/live.h>
 
 namespace heckbert::taxonomy {
@@ -26,9 +24,7 @@ std::string dot(const Language& language, std::string_view title) {
   for (StateId q = 0; q < states.size(); ++q) {
     if (is_dead(language, q) && q != 0) continue;
     text += "  " + std::to_string(q) + (states[q].accepting ? " [shape=doublecircle];\n" : ";\n");
-    std::map<StateId, SymbolSet> edges;
-    for (const Symbol s : members(going_on(language, q))) edges[states[q].next[index(s)]] |= single(s);
-    for (const auto& [to, set] : edges)
+    for (const auto& [to, set] : moves(language, q))
       text += "  " + std::to_string(q) + " -> " + std::to_string(to) + " [label=" + quoted(write(set)) + "];\n";
   }
   return text + "}\n";

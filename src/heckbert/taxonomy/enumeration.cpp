@@ -8,7 +8,8 @@ namespace {
 
 class Enumerator {
  public:
-  Enumerator(const Language& words, std::size_t count) : states_(words.states()), count_(count) {
+  Enumerator(const Language& words, std::size_t count)
+      : alphabet_(words.alphabet()), states_(words.states()), count_(count) {
     std::vector<bool> now;
     for (const State& s : states_) now.push_back(s.accepting);
     reach_.push_back(std::move(now));
@@ -36,22 +37,23 @@ class Enumerator {
   void walk(StateId q, std::size_t letters) {
     if (is_full()) return;
     if (letters == 0) {
-      words_.push_back({string_.front(), {string_.begin() + 1, string_.end() - 1}, string_.back()});
+      words_.push_back(word_of(string_));
       return;
     }
-    for (const SymbolFacts& f : kSymbols) {
-      const StateId next = states_[q].next[index(f.symbol)];
+    for (const std::size_t c : representative_columns(alphabet_, states_[q])) {
+      const StateId next = states_[q].next[c];
       if (!reach_[letters - 1][next]) continue;
-      string_.push_back(f.symbol);
+      string_.push_back(alphabet_.letter(c));
       walk(next, letters - 1);
       string_.pop_back();
     }
   }
 
+  const Alphabet& alphabet_;
   const std::vector<State>& states_;
   std::size_t count_;
   std::vector<std::vector<bool>> reach_;  ///< [k][q]: some string of k letters is accepted from q
-  std::vector<Symbol> string_;
+  std::vector<Letter> string_;
   std::vector<Word> words_;
 };
 
@@ -74,12 +76,13 @@ Language read_as(const Language& language, std::span<const SymbolSet> letters) {
   const std::vector<State>& states = language.states();
   std::array<SymbolSet, kSymbolCount> stands_for{};
   for (const SymbolSet letter : letters) stands_for[index(members(letter).front())] = letter;
-  std::array<Symbol, kSymbolCount> twins{};
-  for (const SymbolFacts& f : kSymbols) twins[index(f.symbol)] = f.symbol;
+  std::vector<std::size_t> twins;
+  for (std::size_t c = 0; c < language.alphabet().size(); ++c) twins.push_back(c);
   return determinize(
-      states.size(), twins, [](Subset& to) { to.insert(0); },
-      [&](StateId q, Symbol s, Subset& to) {
-        for (const Symbol alike : members(stands_for[index(s)])) to.insert(states[q].next[index(alike)]);
+      states.size(), language.alphabet(), twins, [](Subset& to) { to.insert(0); },
+      [&](StateId q, std::size_t c, Subset& to) {
+        for (const Symbol alike : members(stands_for[index(Alphabet::symbol(c))]))
+          to.insert(states[q].next[Alphabet::column(alike, Alphabet::class_of_column(c))]);
       },
       [&](StateId q) { return states[q].accepting; });
 }

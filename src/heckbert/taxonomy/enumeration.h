@@ -1,5 +1,6 @@
 #pragma once
-// The words of a language one by one, in the order of Word: shorter ones first, then letter by letter.
+// The words of a language one by one, in the order of Word: shorter ones first, then letter by letter. A label is told
+// only where it makes a difference; one word stands for all those that differ in other labels.
 
 #include <cstddef>
 #include <limits>

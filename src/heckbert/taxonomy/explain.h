@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <heckbert/taxonomy/language.h>
-#include <heckbert/taxonomy/symbol_set.h>
 
 namespace heckbert::taxonomy {
 
@@ -13,8 +12,8 @@ namespace heckbert::taxonomy {
 struct Explanation {
   bool matches = false;
   std::size_t letters_read = 0;   ///< the longest beginning of the word (ends count) that some member goes on from
-  std::optional<Symbol> culprit;  ///< the letter that no member has there; nothing when the word matches
-  SymbolSet expected = 0;         ///< the letters that members have there; empty when the language is
+  std::optional<Letter> culprit;  ///< the letter that no member has there; nothing when the word matches
+  LetterSet expected;             ///< the letters that members have there; empty when the language is
 };
 
 /// `language` must be a set of words, a subset of universe().
@@ -26,8 +25,8 @@ std::string describe(const Explanation& explanation, const Word& word);
 /// One letter of a walk through the minimal automaton.
 struct Step {
   StateId from = 0;
-  SymbolSet expected = 0;  ///< the letters with which members go on from there
-  Symbol letter = Symbol::La;
+  LetterSet expected;  ///< the letters with which members go on from there
+  Letter letter;
   std::optional<StateId> to;  ///< nothing when no member goes on with this letter
 };
 

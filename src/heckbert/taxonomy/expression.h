@@ -9,6 +9,8 @@
 //   atoms      L D G S V E and C for E; subscripts La Lp Ld Le, Dr Dt Gr Gt Sr St, Ep El
 //              .  any event    X  D, G or S    N  D or G    [DG] one of    [^S] any event but
 //              ( )    @name  a named class or algorithm, a whole expression
+//   labels     D'wall' L'key' [DS]'ball'  only letters with this label   'wall'  any event with it, as .'wall'
+//              [^'wall'] any event without it, unlabelled ones too   ''  the label of what has none   \' and \\ inside
 //   blanks between tokens and comments from # to the end of the line are skipped
 //
 // A whole expression runs light -> eye (L ... E) or eye -> light (E ... L), told by its ends; each operand of | & - !

@@ -101,7 +101,7 @@ class Compiler {
 
   // The words of a piece of a path; `reversed` turns them round, which costs nothing on the tree.
   Language fragment(const Node& node, bool reversed) {
-    if (node.kind == NodeKind::Letters) return Language::of(members(node.set));
+    if (node.kind == NodeKind::Letters) return Language::of(node.set);
     if (node.kind == NodeKind::Repeat) {
       const Language inner = fragment(node.children[0], reversed);
       return within_budget(node, [&] { return repeat(inner, node.at_least, node.at_most); });

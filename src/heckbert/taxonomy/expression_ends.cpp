@@ -19,7 +19,7 @@ Shape shape(const Node& node) {
   Shape result;
   switch (node.kind) {
     case NodeKind::Letters:
-      return {node.set, node.set, false};
+      return {node.set.symbols(), node.set.symbols(), false};
     case NodeKind::Repeat:
       if (node.at_most == 0u) return {0, 0, true};
       result = shape(node.children[0]);
@@ -132,12 +132,12 @@ class EndsCheck {
     const std::string letter = "'" + text(node) + "' ";
     const bool begins = before & kBorder, ends = after & kBorder;
     const bool follows = before & ~kBorder, is_followed = after & ~kBorder;
-    if ((node.set & begin_ && follows) || (node.set & end_ && is_followed))
+    const SymbolSet set = node.set.symbols();
+    if ((set & begin_ && follows) || (set & end_ && is_followed))
       return complain(letter + "is an end in the middle of a path; expected D, G, S or V here");
     // A path that lacks an end everywhere has been reported as a whole.
-    if (has_begin_ && begins && node.set & ~begin_)
-      complain(letter + "can begin a path here; expected " + describe(begin_));
-    if (has_end_ && ends && node.set & ~end_) complain(letter + "can end a path here; expected " + describe(end_));
+    if (has_begin_ && begins && set & ~begin_) complain(letter + "can begin a path here; expected " + describe(begin_));
+    if (has_end_ && ends && set & ~end_) complain(letter + "can end a path here; expected " + describe(end_));
   }
 
   const Node& word_;

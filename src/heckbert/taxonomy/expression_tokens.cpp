@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <heckbert/taxonomy/characters.h>
+#include <heckbert/taxonomy/label.h>
 #include <heckbert/taxonomy/lookalikes.h>
 #include <heckbert/taxonomy/utf8.h>
 
@@ -131,15 +133,64 @@ class TokenReader {
         return read_group();
       case '\'':
       case '"':
-        return read_label();
+        return read_bare_label();
       default: {
-        const Letter letter = read_letter();
-        if (letter.set == 0)
-          push(TokenKind::Bad, letter.length);
-        else
-          push({.kind = TokenKind::Letters, .length = letter.length, .set = letter.set});
+        const PlainLetter letter = read_letter();
+        push_letters(letter.set, letter.length, letter.set != 0);
       }
     }
+  }
+
+  // A letter or a set of them `length` characters long, and the label behind it if there is one.
+  void push_letters(const LetterSet& set, std::size_t length, bool is_good) {
+    const std::size_t begin = at_;
+    at_ += length;
+    const LabelledSet labelled = with_label_behind(set);
+    const std::size_t end = at_;
+    at_ = begin;
+    push({.kind = is_good && labelled.is_good ? TokenKind::Letters : TokenKind::Bad,
+          .length = end - begin,
+          .set = labelled.set});
+  }
+
+  struct LabelledSet {
+    LetterSet set;
+    bool is_good = true;
+    bool has_label = false;
+  };
+
+  bool at_label() const { return !at_end() && (peek() == '\'' || peek() == '"'); }
+
+  // The letters before this place, only those with the label that stands here; goes on behind it.
+  LabelledSet with_label_behind(const LetterSet& set) {
+    if (!at_label()) return {set};
+    const std::size_t open = at_;
+    const auto read = read_label(source_.document.substr(0, source_.end), at_);
+    if (!read) {
+      const std::size_t line_end = rest().find('\n');
+      source_.report(open, 1, "a label that is never closed; expected another " + std::string(1, peek()));
+      at_ = line_end == std::string_view::npos ? source_.end : open + line_end;
+      return {set, false, true};
+    }
+    at_ += read->length;
+    LabelledSet result{LetterSet::labelled(set.of(read->label), read->label), true, true};
+    if ((set.symbols() & kEyes) != 0) {
+      source_.report(open, read->length, "the eye has no label; lights and events have");
+      result.is_good = false;
+    } else if (result.set.is_empty() && !set.is_empty()) {
+      source_.report(open, read->length, "none of the letters before this label has it");
+      result.is_good = false;
+    }
+    return result;
+  }
+
+  // A label without a letter is any event that has it.
+  void read_bare_label() {
+    const std::size_t begin = at_;
+    const LabelledSet labelled = with_label_behind(kEvents);
+    const std::size_t end = at_;
+    at_ = begin;
+    push({.kind = labelled.is_good ? TokenKind::Letters : TokenKind::Bad, .length = end - begin, .set = labelled.set});
   }
 
   // Programmers double these.
@@ -150,13 +201,13 @@ class TokenReader {
     push(kind, peek(1) == c ? 2 : 1);
   }
 
-  struct Letter {
+  struct PlainLetter {
     SymbolSet set = 0;  ///< empty: reported
     std::size_t length = 1;
   };
 
   // One letter with its subscript, here, inside and outside brackets; does not advance.
-  Letter read_letter() {
+  PlainLetter read_letter() {
     const char c = peek(), subscript = is_lower(peek(1)) ? peek(1) : '\0';
     const SymbolSet plain = letter_set(c);
     if (plain == 0) return {0, report_unknown()};
@@ -241,7 +292,9 @@ class TokenReader {
     const bool negated = peek() == '^' || peek() == '!';
     if (peek() == '!') source_.report(at_, 1, "'!' complements a whole expression", did_you_mean("^"));
     if (negated) ++at_;
-    SymbolSet set = 0;
+    LetterSet set;
+    std::vector<std::pair<std::size_t, std::size_t>> ends;  // items that are ends: offset and length
+    bool only_lights = true, has_label = false;
     bool is_good = true;
     std::size_t count = 0;
     while (skip_blanks(), !at_end() && peek() != ']') {
@@ -253,17 +306,25 @@ class TokenReader {
         ++at_;
         continue;
       }
-      const Letter letter = read_letter();
-      if (negated && (letter.set & ~kEvents) != 0) {
-        source_.report(at_, letter.length, "an end inside [^ ]; it takes events away from D, G, S, V",
+      const std::size_t begin = at_;
+      const PlainLetter letter = at_label() ? PlainLetter{kEvents, 0} : read_letter();
+      at_ += letter.length;
+      const LabelledSet labelled = with_label_behind(letter.set);
+      if ((letter.set & ~kEvents) != 0) ends.emplace_back(begin, at_ - begin);
+      only_lights = only_lights && (letter.set & ~kLights) == 0;
+      has_label = has_label || labelled.has_label;
+      is_good = is_good && letter.set != 0 && labelled.is_good;
+      set |= labelled.set;
+      ++count;
+    }
+    // [^L'key'] takes lights away from lights; without a label that would be said by naming the others.
+    const SymbolSet role = only_lights && has_label ? kLights : kEvents;
+    if (negated && role == kEvents)
+      for (const auto& [begin, length] : ends) {
+        source_.report(begin, length, "an end inside [^ ]; it takes events away from D, G, S, V",
                        "name the ends that you want, as in [LaLe]");
         is_good = false;
       }
-      is_good = is_good && letter.set != 0;
-      set |= letter.set;
-      ++count;
-      at_ += letter.length;
-    }
     const bool closed = peek() == ']' && !at_end();
     const std::size_t end = closed ? at_ + 1 : at_;
     at_ = open;
@@ -275,12 +336,12 @@ class TokenReader {
                      negated ? "any event is written '.'" : "");
       is_good = false;
     }
-    if (negated) set = static_cast<SymbolSet>(kEvents & ~set);
-    if (is_good && set == 0) {
+    if (negated) set = LetterSet(role) - set;
+    if (is_good && set.is_empty()) {
       source_.report(open, end - open, "an empty set: nothing is left of D, G, S, V");
       is_good = false;
     }
-    push({.kind = is_good ? TokenKind::Letters : TokenKind::Bad, .length = end - open, .set = set});
+    push_letters(set, end - open, is_good);
   }
 
   // {n} {n,} {n,m}
@@ -369,14 +430,6 @@ class TokenReader {
     if (spelled.size() > 2) spelled = "[" + spelled + "]";
     push_bad(close + 1, message,
              spelled.empty() ? "write Dr, Gt, Sr ... for reflection and transmission" : did_you_mean(spelled));
-  }
-
-  // 'label' of light path expressions.
-  void read_label() {
-    const std::size_t close = rest().find(peek(), 1);
-    push_bad(close == std::string_view::npos ? 1 : close + 1,
-             "labels are not read yet; expected " + std::string(kLettersExpected),
-             "a named class or algorithm is written @name");
   }
 
   ExpressionSource& source_;

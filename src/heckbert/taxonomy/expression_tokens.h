@@ -26,7 +26,7 @@ struct Token {
   TokenKind kind = TokenKind::End;
   std::size_t offset = 0;
   std::size_t length = 0;
-  SymbolSet set = 0;
+  LetterSet set = {};
   unsigned at_least = 0;
   std::optional<unsigned> at_most = {};
 };

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <heckbert/taxonomy/symbol_set.h>
+#include <heckbert/taxonomy/letter_set.h>
 
 namespace heckbert::taxonomy {
 
@@ -32,7 +32,7 @@ struct Node {
   NodeKind kind = NodeKind::Bad;
   std::size_t offset = 0;  ///< of the text it was written as, parentheses included; bytes
   std::size_t length = 0;
-  SymbolSet set = 0;
+  LetterSet set = {};
   unsigned at_least = 0;
   std::optional<unsigned> at_most = {};
   std::string name = {};

@@ -1,9 +1,10 @@
 #include <heckbert/taxonomy/fused_automaton.h>
 
-#include <algorithm>
 #include <bit>
 #include <unordered_map>
 #include <utility>
+
+#include <heckbert/taxonomy/determinize.h>
 
 namespace heckbert::taxonomy {
 
@@ -27,19 +28,22 @@ class PairNumbering {
 }  // namespace
 
 Columns shared_columns(std::span<const Language> languages) {
-  const auto are_twins = [&](std::size_t s, std::size_t t) {
-    return std::all_of(languages.begin(), languages.end(), [&](const Language& language) {
-      return std::all_of(language.states().begin(), language.states().end(),
-                         [&](const State& state) { return state.next[s] == state.next[t]; });
-    });
-  };
-  Columns columns{};
-  std::uint8_t count = 0;
-  for (std::size_t s = 0; s < kSymbolCount; ++s) {
-    std::size_t twin = 0;
-    while (twin < s && !are_twins(twin, s)) ++twin;
-    columns[s] = twin < s ? columns[twin] : count++;
+  Columns columns;
+  for (const Language& language : languages) columns.alphabet = joined(columns.alphabet, language.alphabet());
+  std::vector<const Language*> automata;
+  std::vector<std::vector<std::size_t>> within;
+  for (const Language& language : languages) {
+    automata.push_back(&language);
+    within.push_back(columns_within(language.alphabet(), columns.alphabet));
   }
+  columns.of.resize(columns.alphabet.size());
+  if (languages.empty()) {
+    columns.count = 1;
+    return columns;
+  }
+  const std::vector<std::size_t> twins = twin_columns(automata, within);
+  for (std::size_t c = 0; c < columns.of.size(); ++c)
+    columns.of[c] = twins[c] < c ? columns.of[twins[c]] : static_cast<std::uint16_t>(columns.count++);
   return columns;
 }
 
@@ -54,12 +58,14 @@ std::span<std::uint16_t> FusedAutomaton::add_row() {
 }
 
 FusedAutomaton::FusedAutomaton(const Language& language, const Columns& columns, std::size_t number, std::size_t total)
-    : FusedAutomaton(1u + *std::max_element(columns.begin(), columns.end()), total) {
+    : FusedAutomaton(columns.count, total) {
   members_.resize(2 * blocks_);  // outcome 0: not a member, 1: a member
   members_[blocks_ + number / 64] = std::uint64_t{1} << number % 64;
+  const std::vector<std::size_t> within = columns_within(language.alphabet(), columns.alphabet);
   for (const State& state : language.states()) {
     const auto row = add_row();
-    for (std::size_t s = 0; s < kSymbolCount; ++s) row[columns[s]] = static_cast<std::uint16_t>(state.next[s]);
+    for (std::size_t c = 0; c < within.size(); ++c)
+      row[columns.of[c]] = static_cast<std::uint16_t>(state.next[within[c]]);
     row[column_count_] = state.accepting ? 1 : 0;
   }
 }

@@ -8,7 +8,6 @@
 // of languages that accept there. States are numbered breadth-first, so the short words that most paths are lie
 // together.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,8 +22,13 @@ namespace heckbert::taxonomy {
 inline constexpr std::size_t kFusedStates = 65'536;
 static_assert(kStateBudget <= kFusedStates, "a single language always fits");
 
-/// The column of each symbol: equal for symbols that none of the languages tells apart, numbered from 0.
-using Columns = std::array<std::uint8_t, kSymbolCount>;
+/// The letters that some of the languages tell apart, and the column of each: equal for letters that none of them does,
+/// numbered from 0.
+struct Columns {
+  Alphabet alphabet;
+  std::vector<std::uint16_t> of;  ///< by column of the alphabet
+  std::size_t count = 0;          ///< of different columns
+};
 Columns shared_columns(std::span<const Language> languages);
 
 class FusedAutomaton {

@@ -108,8 +108,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// Every word that begins with one of these lights.
 Language lit_by(SymbolSet lights) {
-  return concat(concat(Language::of(members(lights)), repeat(Language::of(members(kEvents)), 0, std::nullopt)),
-                Language::of(members(kEyes)));
+  return concat(concat(Language::of(lights), repeat(Language::of(kEvents), 0, std::nullopt)), Language::of(kEyes));
 }
 const Language& lit_by_hit() {
   static const Language language = lit_by(single(Symbol::La) | single(Symbol::Le));

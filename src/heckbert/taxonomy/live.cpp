@@ -9,15 +9,27 @@ bool is_dead(const Language& language, StateId state) {
   return !s.accepting && std::all_of(s.next.begin(), s.next.end(), [state](StateId to) { return to == state; });
 }
 
-SymbolSet going_on(const Language& language, StateId state) {
-  return symbols_where(
-      [&](const SymbolFacts& f) { return !is_dead(language, language.states()[state].next[index(f.symbol)]); });
+std::map<StateId, LetterSet> moves(const Language& language, StateId state) {
+  const std::vector<StateId>& next = language.states()[state].next;
+  std::map<StateId, std::vector<std::size_t>> columns;
+  for (std::size_t c = 0; c < next.size(); ++c)
+    if (!is_dead(language, next[c])) columns[next[c]].push_back(c);
+  std::map<StateId, LetterSet> letters;
+  for (const auto& [to, leading] : columns) letters[to] = language.alphabet().letters(leading);
+  return letters;
+}
+
+LetterSet going_on(const Language& language, StateId state) {
+  LetterSet all;
+  for (const auto& [to, letters] : moves(language, state)) all |= letters;
+  return all;
 }
 
 SymbolSet symbols_of(const Language& language) {
-  unsigned set = 0;
-  for (StateId q = 0; q < language.states().size(); ++q) set |= going_on(language, q);
-  return static_cast<SymbolSet>(set);
+  SymbolSet all = 0;
+  for (StateId q = 0; q < language.states().size(); ++q)
+    all = static_cast<SymbolSet>(all | going_on(language, q).symbols());
+  return all;
 }
 
 }  // namespace heckbert::taxonomy

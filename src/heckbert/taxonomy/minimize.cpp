@@ -1,7 +1,9 @@
 #include <heckbert/taxonomy/minimize.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 namespace heckbert::taxonomy {
@@ -10,7 +12,7 @@ namespace {
 
 constexpr StateId kUnseen = std::numeric_limits<StateId>::max();
 
-// The states reachable from the start, numbered breadth-first in the order of Symbol.
+// The states reachable from the start, numbered breadth-first in the order of columns.
 std::vector<State> breadth_first(const std::vector<State>& states) {
   std::vector<StateId> number(states.size(), kUnseen);
   std::vector<StateId> order{0};
@@ -29,17 +31,35 @@ std::vector<State> breadth_first(const std::vector<State>& states) {
   return numbered;
 }
 
-// For one symbol, the states that go to each state: those of q are from[begin[q]] .. from[begin[q + 1] - 1].
+// Columns that move every state to the same place are one to a partition; labels bring many such.
+std::vector<std::size_t> distinct_columns(const std::vector<State>& states) {
+  std::unordered_map<std::size_t, std::vector<std::size_t>> by_hash;
+  std::vector<std::size_t> distinct;
+  for (std::size_t c = 0; c < states[0].next.size(); ++c) {
+    std::size_t hash = 0xcbf29ce484222325u;
+    for (const State& s : states) hash = (hash ^ s.next[c]) * 0x100000001b3u;
+    std::vector<std::size_t>& alike = by_hash[hash];
+    const bool is_new = std::none_of(alike.begin(), alike.end(), [&](std::size_t other) {
+      return std::all_of(states.begin(), states.end(), [=](const State& s) { return s.next[c] == s.next[other]; });
+    });
+    if (!is_new) continue;
+    alike.push_back(c);
+    distinct.push_back(c);
+  }
+  return distinct;
+}
+
+// For one column, the states that go to each state: those of q are from[begin[q]] .. from[begin[q + 1] - 1].
 struct Predecessors {
   std::vector<std::size_t> begin;
   std::vector<StateId> from;
 };
 
-Predecessors predecessors(const std::vector<State>& states, std::size_t symbol) {
+Predecessors predecessors(const std::vector<State>& states, std::size_t column) {
   Predecessors result{std::vector<std::size_t>(states.size() + 2, 0), std::vector<StateId>(states.size())};
-  for (const State& s : states) ++result.begin[s.next[symbol] + 2];
+  for (const State& s : states) ++result.begin[s.next[column] + 2];
   for (std::size_t q = 2; q < result.begin.size(); ++q) result.begin[q] += result.begin[q - 1];
-  for (StateId q = 0; q < states.size(); ++q) result.from[result.begin[states[q].next[symbol] + 1]++] = q;
+  for (StateId q = 0; q < states.size(); ++q) result.from[result.begin[states[q].next[column] + 1]++] = q;
   return result;
 }
 
@@ -101,10 +121,10 @@ class Partition {
   std::vector<BlockId> touched_;
 };
 
-// The coarsest partition that separates accepting from other states and that every symbol respects.
+// The coarsest partition that separates accepting from other states and that every column respects.
 Partition equivalent_states(const std::vector<State>& states) {
-  std::array<Predecessors, kSymbolCount> before;
-  for (std::size_t s = 0; s < kSymbolCount; ++s) before[s] = predecessors(states, s);
+  std::vector<Predecessors> before;
+  for (const std::size_t c : distinct_columns(states)) before.push_back(predecessors(states, c));
 
   Partition partition(states.size());
   std::vector<BlockId> waiting;

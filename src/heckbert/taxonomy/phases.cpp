@@ -57,16 +57,18 @@ class Glushkov {
   }
 
   std::size_t size() const { return sets_.size(); }
-  SymbolSet letters(std::size_t position) const { return sets_[position]; }
+  const LetterSet& letters(std::size_t position) const { return sets_[position]; }
+  /// The letters that the sets of all positions tell apart.
+  const Alphabet& alphabet() const { return alphabet_; }
   const Positions& follow(std::size_t position) const { return follow_[position]; }
   bool accepts(const Positions& at) const {
     return std::any_of(at.begin(), at.end(), [&](std::size_t p) { return last_.contains(p); });
   }
-  Positions step(const Positions& at, Symbol s) const {
+  Positions step(const Positions& at, const Letter& letter) const {
     Positions next;
     for (const std::size_t p : at)
       for (const std::size_t q : follow_[p])
-        if (has(sets_[q], s)) next.insert(q);
+        if (has(sets_[q].of(letter.label), letter.symbol)) next.insert(q);
     return next;
   }
 
@@ -83,6 +85,8 @@ class Glushkov {
           throw LimitError("the phases of an expression with more than " + std::to_string(kMostPositions) +
                            " letters are not shown");
         sets_.push_back(node.set);
+        for (const LetterSet::OfLabel& one : node.set.of_labels())
+          alphabet_ = taxonomy::joined(alphabet_, Alphabet{{one.label}});
         follow_.emplace_back();
         return {false, {sets_.size() - 1}, {sets_.size() - 1}};
       }
@@ -132,7 +136,8 @@ class Glushkov {
     for (const std::size_t p : from) follow_[p].insert(to.begin(), to.end());
   }
 
-  std::vector<SymbolSet> sets_{0};
+  Alphabet alphabet_;
+  std::vector<LetterSet> sets_{{}};
   std::vector<Positions> follow_{{}};
   Positions last_;
 };
@@ -155,13 +160,14 @@ PartPhases phases_of(const Node& tree, std::string expression) {
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (sets.size() > kStateBudget) throw LimitError("the sets of letters are too many to show");
     const Positions at = sets[i];
-    std::map<Positions, SymbolSet> edges;
-    for (const SymbolFacts& f : kSymbols)
-      if (Positions next = automaton.step(at, f.symbol); !next.empty()) edges[std::move(next)] |= single(f.symbol);
+    std::map<Positions, std::vector<std::size_t>> edges;
+    for (std::size_t c = 0; c < automaton.alphabet().size(); ++c)
+      if (Positions next = automaton.step(at, automaton.alphabet().letter(c)); !next.empty())
+        edges[std::move(next)].push_back(c);
     const std::string from = "{" + list_of(at) + "}";
     if (automaton.accepts(at)) part.subsets += from + " accepts\n";
-    for (const auto& [next, set] : edges) {
-      part.subsets += from + " -" + write(set) + "-> {" + list_of(next) + "}\n";
+    for (const auto& [next, columns] : edges) {
+      part.subsets += from + " -" + write(automaton.alphabet().letters(columns)) + "-> {" + list_of(next) + "}\n";
       if (std::find(sets.begin(), sets.end(), next) == sets.end()) sets.push_back(next);
     }
   }
@@ -198,9 +204,7 @@ Phases phases(std::string_view text, const Names& names, std::string_view source
   const std::vector<State>& states = language.states();
   for (StateId q = 0; q < states.size(); ++q) {
     if (states[q].accepting) result.minimal += std::to_string(q) + " accepts\n";
-    std::map<StateId, SymbolSet> edges;
-    for (const Symbol s : members(going_on(language, q))) edges[states[q].next[index(s)]] |= single(s);
-    for (const auto& [to, set] : edges)
+    for (const auto& [to, set] : moves(language, q))
       result.minimal += std::to_string(q) + " -" + write(set) + "-> " + std::to_string(to) + "\n";
     result.states += !is_dead(language, q);
   }

@@ -5,7 +5,7 @@ namespace heckbert::taxonomy {
 namespace {
 
 Language letter(SymbolSet set) {
-  return Language::of(members(set));
+  return Language::of(set);
 }
 
 std::string scatterings(std::size_t count) {

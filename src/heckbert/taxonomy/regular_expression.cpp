@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include <heckbert/taxonomy/live.h>
+
 namespace heckbert::taxonomy {
 
 namespace {
@@ -178,8 +180,8 @@ std::optional<Node> regular_expression(const Language& language) {
   add(0, 2, nothing_needed());
   for (std::size_t q = 0; q < states.size(); ++q) {
     if (states[q].accepting) add(q + 2, 1, nothing_needed());
-    for (const SymbolFacts& f : kSymbols)
-      add(q + 2, states[q].next[index(f.symbol)] + 2, {.kind = NodeKind::Letters, .set = single(f.symbol)});
+    for (const auto& [to, letters] : moves(language, static_cast<StateId>(q)))
+      add(q + 2, to + 2, {.kind = NodeKind::Letters, .set = letters});
   }
 
   std::vector<std::size_t> rest(states.size());

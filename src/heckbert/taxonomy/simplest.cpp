@@ -72,7 +72,7 @@ bool is_star_of_letters(const Node& a) {
   return a.kind == NodeKind::Repeat && a.at_least == 0 && !a.at_most && a.children[0].kind == NodeKind::Letters;
 }
 
-void collect_sets(const Node& tree, std::vector<SymbolSet>& sets) {
+void collect_sets(const Node& tree, std::vector<LetterSet>& sets) {
   if (tree.kind == NodeKind::Letters) sets.push_back(tree.set);
   for (const Node& child : tree.children) collect_sets(child, sets);
 }
@@ -92,8 +92,8 @@ void split_optional(const Node& node, std::vector<Node>& out) {
   const auto offer = [&](const Node& letters, const Node& star, bool letters_first) {
     if (letters.kind != NodeKind::Letters || !is_star_of_letters(star)) return;
     Node rest = letters;
-    rest.set = static_cast<SymbolSet>(letters.set & ~star.children[0].set);
-    if (rest.set == 0) return;
+    rest.set = letters.set - star.children[0].set;
+    if (rest.set.is_empty()) return;
     rest = repeated(std::move(rest), 0, 1);
     out.push_back(letters_first ? sequence_of({rest, star}) : sequence_of({star, rest}));
   };
@@ -150,10 +150,10 @@ void move_optional(const Node& alternation, std::vector<Node>& out) {
 }
 
 // Trees that may stand for a node; which of them do is found by comparing languages.
-std::vector<Node> edits(const Node& node, const std::vector<SymbolSet>& sets) {
+std::vector<Node> edits(const Node& node, const std::vector<LetterSet>& sets) {
   std::vector<Node> out = node.children;
   if (node.kind == NodeKind::Letters) {
-    for (const SymbolSet other : sets) {
+    for (const LetterSet& other : sets) {
       Node wider = node;
       wider.set |= other;
       out.push_back(std::move(wider));
@@ -212,7 +212,7 @@ class Editor {
 
   void run() {
     while (size_of(root_) <= kEditedNodes) {
-      sets_ = {kEvents, static_cast<SymbolSet>(with_letter('D') | with_letter('G') | with_letter('S'))};
+      sets_ = {kEvents, with_letter('D') | with_letter('G') | with_letter('S')};
       collect_sets(root_, sets_);
       if (!improve(root_)) return;
     }
@@ -239,7 +239,7 @@ class Editor {
 
   Node& root_;
   const Language& language_;
-  std::vector<SymbolSet> sets_;
+  std::vector<LetterSet> sets_;
 };
 
 /// The shortest of the trees found for a language of events, not empty.
@@ -254,30 +254,33 @@ std::optional<Node> shortest_tree(const Language& events) {
 
 // ---- ends ----------------------------------------------------------------------------------------------------------
 
-/// What stands between one light and one eye.
-Language between(const Language& words, Symbol light, Symbol eye) {
+/// What stands between one light letter, a column of the alphabet, and one eye.
+Language between(const Language& words, std::size_t light, Symbol eye) {
   std::vector<State> states = words.states();
   const auto dead = static_cast<StateId>(states.size());
-  states.emplace_back().next.fill(dead);
-  const StateId first = words.states()[0].next[index(light)];
+  states.push_back({std::vector<StateId>(words.alphabet().size(), dead), false});
+  const StateId first = words.states()[0].next[light];
   for (StateId q = 0; q < dead; ++q) {
     states[q].accepting = words.states()[words.states()[q].next[index(eye)]].accepting;
-    for (const Symbol s : members(kLights | kEyes)) states[q].next[index(s)] = dead;
+    for (std::size_t c = 0; c < words.alphabet().size(); ++c)
+      if (!is_event(Alphabet::symbol(c))) states[q].next[c] = dead;
   }
   // The start of an automaton is state 0, where no event leads: it becomes a copy of the state behind the light.
   states[0] = states[first];
-  return Language::from_automaton(states);
+  return Language::from_automaton(states, words.alphabet());
 }
 
 struct Piece {
-  SymbolSet lights = 0, eyes = 0;
+  LetterSet lights;
+  SymbolSet eyes = 0;
   Language events;
 };
 
 /// The language as a union of pieces lights events eyes, lights and eyes that are treated alike together.
 std::vector<Piece> pieces_of(const Language& words) {
-  std::vector<Piece> columns;  // one light kind set per distinct pair of languages, eyes joined
-  for (const Symbol light : members(kLights)) {
+  std::vector<Piece> columns;  // one set of lights per distinct pair of languages, eyes joined
+  for (std::size_t light = 0; light < words.alphabet().size(); ++light) {
+    if (!is_light(Alphabet::symbol(light))) continue;
     std::vector<Piece> row;
     for (const Symbol eye : members(kEyes)) {
       Language events = between(words, light, eye);
@@ -286,7 +289,7 @@ std::vector<Piece> pieces_of(const Language& words) {
       if (twin != row.end())
         twin->eyes |= single(eye);
       else
-        row.push_back({single(light), single(eye), std::move(events)});
+        row.push_back({words.alphabet().letters({light}), single(eye), std::move(events)});
     }
     for (Piece& piece : row) {
       const auto twin = std::find_if(columns.begin(), columns.end(),
@@ -320,7 +323,7 @@ std::vector<std::vector<Piece>> ways_to_share(const std::vector<Piece>& pieces) 
   for (const std::size_t small : {0u, 1u}) {
     const Piece &less = pieces[small], &more = pieces[1 - small];
     if (!less.events.is_subset_of(more.events)) continue;
-    const auto both = static_cast<SymbolSet>(less.lights | more.lights);
+    const LetterSet both = less.lights | more.lights;
     ways.push_back({{both, less.eyes, less.events}, {more.lights, more.eyes, more.events - less.events}});
     ways.push_back({{both, less.eyes, less.events}, more});
   }

@@ -13,8 +13,8 @@ namespace heckbert::taxonomy {
 /// By index(symbol).
 using SymbolWeights = std::array<double, kSymbolCount>;
 
-/// Element n is the sum, over the words of the language with n scatterings, of the products of their letters' weights,
-/// ends included; n = 0 .. max_length. Cost: states times max_length.
+/// Element n is the sum, over the unlabelled words of the language with n scatterings, of the products of their
+/// letters' weights, ends included; n = 0 .. max_length. Cost: states times max_length.
 std::vector<double> length_spectrum(const Language& language, const SymbolWeights& weights, std::size_t max_length);
 
 }  // namespace heckbert::taxonomy

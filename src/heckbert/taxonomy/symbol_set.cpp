@@ -15,9 +15,6 @@ std::string name(Symbol s) {
   return text;
 }
 
-namespace {
-
-// Letters whose every subscript is in the set are named without one.
 std::vector<std::string> names_of(SymbolSet set) {
   std::vector<std::string> names;
   for (const Symbol s : members(set)) {
@@ -27,6 +24,8 @@ std::vector<std::string> names_of(SymbolSet set) {
   }
   return names;
 }
+
+namespace {
 
 std::string spelled(SymbolSet set) {
   std::string text;

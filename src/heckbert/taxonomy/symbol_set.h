@@ -45,6 +45,9 @@ std::vector<Symbol> members(SymbolSet set);
 /// "Sr", "V": the symbol as it is written.
 std::string name(Symbol s);
 
+/// The letters of the set, "D", "Sr", "La": one whose every subscript is in the set goes without.
+std::vector<std::string> names_of(SymbolSet set);
+
 /// The set as an expression writes it, in as few characters as it can: "S", "X", "[DV]", "[^S]", "[LaLe]". The set is
 /// not empty.
 std::string write(SymbolSet set);

@@ -20,7 +20,7 @@ Language fold(const std::vector<Node>& pieces, std::size_t begin, std::size_t en
 Language language_of(const Node& tree) {
   switch (tree.kind) {
     case NodeKind::Letters:
-      return tree.set == 0 ? Language::none() : Language::of(members(tree.set));
+      return Language::of(tree.set);
     case NodeKind::Repeat:
       return repeat(language_of(tree.children[0]), tree.at_least, tree.at_most);
     case NodeKind::Alternation:

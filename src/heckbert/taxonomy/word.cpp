@@ -5,6 +5,7 @@
 
 #include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/label.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/taxonomy/utf8.h>
 
@@ -21,8 +22,8 @@ std::string subscripts_of(char letter) {
   return list;
 }
 
-struct Letter {
-  Symbol symbol;
+struct PlacedLetter {
+  Letter letter;
   std::size_t offset;
   std::size_t length;
 };
@@ -32,14 +33,14 @@ class WordReader {
   explicit WordReader(std::string_view text) : text_(text) {}
 
   Word read() {
-    std::vector<Letter> letters = read_letters();
+    std::vector<PlacedLetter> letters = read_letters();
     if (letters.empty() && errors_.empty()) report(0, 1, "an empty word; expected a path such as LDE");
     if (errors_.empty()) check_ends(letters);
     if (!errors_.empty()) throw InputError(errors_);
-    if (is_eye(letters.front().symbol)) std::reverse(letters.begin(), letters.end());
-    Word word{letters.front().symbol, {}, letters.back().symbol};
-    for (std::size_t i = 1; i + 1 < letters.size(); ++i) word.events.push_back(letters[i].symbol);
-    return word;
+    if (is_eye(letters.front().letter.symbol)) std::reverse(letters.begin(), letters.end());
+    std::vector<Letter> spelled;
+    for (PlacedLetter& placed : letters) spelled.push_back(std::move(placed.letter));
+    return word_of(std::move(spelled));
   }
 
  private:
@@ -47,23 +48,46 @@ class WordReader {
     errors_.push_back(diagnose(kSource, text_, offset, length, std::move(message), std::move(suggestion)));
   }
 
-  std::vector<Letter> read_letters() {
-    std::vector<Letter> letters;
+  std::vector<PlacedLetter> read_letters() {
+    std::vector<PlacedLetter> letters;
     for (std::size_t at = 0; at < text_.size();) {
       if (is_blank(text_[at])) {
         ++at;
+        continue;
+      }
+      if (text_[at] == '\'' || text_[at] == '"') {
+        at += add_label(letters, at);
         continue;
       }
       const bool subscripted = at + 1 < text_.size() && is_lower(text_[at + 1]);
       const char letter = text_[at] == 'C' ? 'E' : text_[at];
       const std::size_t length = subscripted ? 2 : utf8_at(text_, at).length;
       if (const auto symbol = find_symbol(letter, subscripted ? text_[at + 1] : '\0'))
-        letters.push_back({*symbol, at, length});
+        letters.push_back({{*symbol}, at, length});
       else
         report_letter(at, length);
       at += length;
     }
     return letters;
+  }
+
+  // The label at this place belongs to the letter before it. Gives its length.
+  std::size_t add_label(std::vector<PlacedLetter>& letters, std::size_t at) {
+    const auto read = read_label(text_, at);
+    if (!read) {
+      report(at, 1, "a label that is never closed; expected another " + std::string(1, text_[at]));
+      return text_.size() - at;
+    }
+    const bool is_behind = !letters.empty() && letters.back().offset + letters.back().length == at;
+    if (!is_behind) {
+      if (errors_.empty()) report(at, read->length, "a label without its letter; it stands right behind one, D'wall'");
+    } else if (!may_be_labelled(letters.back().letter.symbol)) {
+      report(at, read->length, "the eye has no label; lights and events have");
+    } else {
+      letters.back().letter.label = read->label;
+      letters.back().length += read->length;
+    }
+    return read->length;
   }
 
   void report_letter(std::size_t at, std::size_t length) {
@@ -83,15 +107,17 @@ class WordReader {
     }
   }
 
-  void check_ends(const std::vector<Letter>& letters) {
+  void check_ends(const std::vector<PlacedLetter>& letters) {
     for (std::size_t i = 1; i + 1 < letters.size(); ++i)
-      if (!is_event(letters[i].symbol))
+      if (!is_event(letters[i].letter.symbol))
         report(letters[i].offset, letters[i].length, "an end in the middle of a word; expected D, G, S or V");
-    const Letter &first = letters.front(), &last = letters.back();
-    const bool events_at_ends = is_event(first.symbol) || is_event(last.symbol);
-    if (is_event(first.symbol)) report(first.offset, first.length, "a word begins at its light (L) or at its eye (E)");
-    if (is_event(last.symbol)) report(last.offset, last.length, "a word ends at its eye (E) or at its light (L)");
-    if (!events_at_ends && facts(first.symbol).role == facts(last.symbol).role)
+    const PlacedLetter &first = letters.front(), &last = letters.back();
+    const bool events_at_ends = is_event(first.letter.symbol) || is_event(last.letter.symbol);
+    if (is_event(first.letter.symbol))
+      report(first.offset, first.length, "a word begins at its light (L) or at its eye (E)");
+    if (is_event(last.letter.symbol))
+      report(last.offset, last.length, "a word ends at its eye (E) or at its light (L)");
+    if (!events_at_ends && facts(first.letter.symbol).role == facts(last.letter.symbol).role)
       report(last.offset, last.length, "both ends are alike; a path has one light end L and one eye end E");
   }
 
@@ -110,19 +136,54 @@ std::strong_ordering Word::operator<=>(const Word& other) const {
   if (const auto by_length = events.size() <=> other.events.size(); std::is_neq(by_length)) return by_length;
   if (const auto by_light = light <=> other.light; std::is_neq(by_light)) return by_light;
   if (const auto by_events = events <=> other.events; std::is_neq(by_events)) return by_events;
-  return eye <=> other.eye;
+  if (const auto by_eye = eye <=> other.eye; std::is_neq(by_eye)) return by_eye;
+  return labels <=> other.labels;
 }
 
+void Word::set_labels(std::vector<std::string> all) {
+  assert(all.size() == events.size() + 1);
+  const bool is_any = std::any_of(all.begin(), all.end(), [](const std::string& l) { return !l.empty(); });
+  labels = is_any ? std::move(all) : std::vector<std::string>{};
+}
+
+std::vector<Letter> letters_of(const Word& word) {
+  std::vector<Letter> letters{{word.light, std::string(word.label(0))}};
+  for (std::size_t i = 0; i < word.events.size(); ++i)
+    letters.push_back({word.events[i], std::string(word.label(i + 1))});
+  letters.push_back({word.eye});
+  return letters;
+}
+
+Word word_of(std::vector<Letter> letters) {
+  Word word{letters.front().symbol, {}, letters.back().symbol};
+  letters.pop_back();
+  for (std::size_t i = 1; i < letters.size(); ++i) word.events.push_back(letters[i].symbol);
+  std::vector<std::string> labels;
+  for (Letter& letter : letters) labels.push_back(std::move(letter.label));
+  word.set_labels(std::move(labels));
+  return word;
+}
+
+namespace {
+
+template <class Spell>
+std::string spelled(const Word& word, Spell spell) {
+  std::string text;
+  for (const Letter& letter : letters_of(word)) {
+    text += spell(letter.symbol);
+    if (!letter.label.empty()) text += write_label(letter.label);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string plain(const Word& word) {
-  std::string text(1, facts(word.light).letter);
-  for (const Symbol s : word.events) text += facts(s).letter;
-  return text + facts(word.eye).letter;
+  return spelled(word, [](Symbol s) { return std::string(1, facts(s).letter); });
 }
 
 std::string fine(const Word& word) {
-  std::string text = name(word.light);
-  for (const Symbol s : word.events) text += name(s);
-  return text + name(word.eye);
+  return spelled(word, [](Symbol s) { return name(s); });
 }
 
 Word parse_word(std::string_view text) {

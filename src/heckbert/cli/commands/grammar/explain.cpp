@@ -45,15 +45,16 @@ ExitCode run(const ExplainOptions& options) {
     json["steps"] = report::Json::array();
     for (const taxonomy::Step& step : steps)
       json["steps"].push_back({{"state", step.from},
-                               {"expected", step.expected == 0 ? "" : taxonomy::write(step.expected)},
+                               {"expected", step.expected.is_empty() ? "" : taxonomy::write(step.expected)},
                                {"letter", taxonomy::name(step.letter)},
                                {"next", step.to ? static_cast<std::int64_t>(*step.to) : -1}});
     fmt::print("{}", report::dump(json));
   } else {
     std::vector<report::TextRow> rows;
     for (const taxonomy::Step& step : steps)
-      rows.push_back({{fmt::format("{}", step.from), step.expected == 0 ? "nothing" : taxonomy::describe(step.expected),
-                       taxonomy::name(step.letter), step.to ? fmt::format("{}", *step.to) : "nowhere"}});
+      rows.push_back(
+          {{fmt::format("{}", step.from), step.expected.is_empty() ? "nothing" : taxonomy::describe(step.expected),
+            taxonomy::name(step.letter), step.to ? fmt::format("{}", *step.to) : "nowhere"}});
     fmt::print("{}\n{}\n",
                report::text_table({{"State"}, {"Expected"}, {"Letter"}, {"Goes to"}}, rows, console.table_style()),
                console.paint(explanation.matches ? Style::Good : Style::Bad, verdict));
