@@ -45,6 +45,15 @@ TEST(Sobol, TheFirstTwoDimensionsAreANetInEveryShape) {
     }
 }
 
+TEST(Sobol, EachPointIsFreeWithinItsStratum) {
+  // A mere shift of the digits would put the 1024 points of a block at one and the same place of their strata.
+  for (std::size_t d = 0; d < 4; ++d) {
+    std::vector<double> expected(64, 1024 / 64.0), seen(64);
+    for (std::uint32_t i = 0; i < 1024; ++i) ++seen[(scrambled_sobol(i, 5)[d] << 10) >> 26];
+    EXPECT_LT(chi_square_excess(expected, seen), 3.3) << d;
+  }
+}
+
 TEST(Sobol, APointIsUniformAndItsDimensionsAreIndependentOverTheSeeds) {
   // 4^4 cells of the four dimensions, 100 000 seeds; four indices at 1 % together after Sidak.
   constexpr int kSeeds = 100'000;

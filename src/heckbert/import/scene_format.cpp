@@ -285,6 +285,11 @@ const std::vector<Key<SceneDraft>>& scene_keys() {
   return keys;
 }
 
+bool has_round_shape(const Group& group) {
+  return std::any_of(group.shapes.begin(), group.shapes.end(),
+                     [](const Shape& shape) { return !std::holds_alternative<Mesh>(shape.geometry); });
+}
+
 class SceneBuilder {
  public:
   SceneBuilder(const JsonDocument& document, const std::filesystem::path& directory)
@@ -379,6 +384,10 @@ class SceneBuilder {
       read_object(in_, item, "instance", instance_keys(), draft);
       const auto group = groups_.find(in_, draft.group);
       const glm::mat4 to_world = draft.transform == nullptr ? glm::mat4(1) : read_transform(in_, *draft.transform);
+      if (group && !is_similarity(to_world) && has_round_shape(imported_.scene.groups[*group])) {
+        in_.error(*draft.transform, "this transform stretches a sphere or disk of its group",
+                  "move, turn or scale it evenly; a stretched one can be a mesh");
+      }
       imported_.scene.instances.push_back({group.value_or(0), to_world});
     });
   }
@@ -397,12 +406,9 @@ class SceneBuilder {
     EnvironmentImage image;
     image.to_world = glm::mat3(to_world);
     image.interpolation = draft.interpolation;
-    const glm::mat3 rest = glm::transpose(image.to_world) * image.to_world - glm::mat3(1);
-    for (int i = 0; i < 9; ++i) {
-      if (std::abs(rest[i / 3][i % 3]) > 1e-4f) {
-        in_.error(*draft.transform, "an environment image can only be turned or mirrored");
-        return;
-      }
+    if (!is_similarity(to_world) || std::abs(glm::length(image.to_world[0]) - 1) > 1e-4f) {
+      in_.error(*draft.transform, "an environment image can only be turned or mirrored");
+      return;
     }
     try {
       RadianceImage file = read_radiance_image(directory_ / draft.file);

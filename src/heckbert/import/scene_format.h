@@ -52,6 +52,8 @@ std::vector<ObjectFacts> material_format();
 
 /// Affine; the first step of the list acts first.
 glm::mat4 read_transform(Reader& in, const JsonNode& node);
+/// Does it move, turn, mirror and scale evenly, and no more?
+bool is_similarity(const glm::mat4& transform);
 std::vector<ObjectFacts> transform_format();
 
 /// Nothing when the shape has errors. Relative file names resolve against `directory`.

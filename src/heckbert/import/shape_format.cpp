@@ -218,16 +218,13 @@ void place(Reader& in, const JsonNode& node, const glm::mat4& to_world, Geometry
     return;
   }
   const std::string what = std::holds_alternative<Disk>(geometry) ? "disk" : "sphere";
+  if (!is_similarity(to_world)) {
+    in.error(node, "this transform stretches the " + what,
+             "move, turn or scale it evenly; a stretched one can be a mesh");
+    return;
+  }
   const glm::mat3 linear(to_world);
   const float scale = glm::length(linear[0]);
-  const glm::mat3 rest = glm::transpose(linear) * linear / (scale * scale) - glm::mat3(1);
-  for (int i = 0; i < 9; ++i) {
-    if (std::abs(rest[i / 3][i % 3]) > 1e-4f) {
-      in.error(node, "this transform stretches the " + what,
-               "move, turn or scale it evenly; a stretched one can be a mesh");
-      return;
-    }
-  }
   const auto place_round = [&](auto& round) {
     round.center = glm::vec3(to_world * glm::vec4(round.center, 1));
     round.radius *= scale;

@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <heckbert/import/scene_format.h>
@@ -107,6 +109,18 @@ glm::mat4 read_transform(Reader& in, const JsonNode& node) {
     out = step.matrix * out;
   });
   return out;
+}
+
+bool is_similarity(const glm::mat4& transform) {
+  const glm::mat3 linear(transform);
+  const float scale = glm::length(linear[0]);
+  const glm::mat3 rest = glm::transpose(linear) * linear / (scale * scale) - glm::mat3(1);
+  for (int i = 0; i < 9; ++i) {
+    if (std::abs(rest[i / 3][i % 3]) > 1e-4f) {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::vector<ObjectFacts> transform_format() {
