@@ -1,10 +1,11 @@
 // What do evenly spread points gain? The same scenes with Sobol and with random points, equal samples: the ratio of the
-// variances of pixels, of the variances of picture means by class, and of the times.
+// variances of pixels, of the variances of the picture's mean, and of the times, for all light that was scattered.
 //
 //   point_sets [side of the picture in pixels] [pairs of seeds]
 
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 
@@ -22,7 +23,7 @@ using transport::SamplerKind;
 struct Spread {
   double pixel_variance = 0;  ///< mean over pixels
   double mean_variance = 0;   ///< of the picture's mean, as its intervals say
-  double seconds = 0;  ///< of the processor
+  double seconds = 0;         ///< of the processor
 };
 
 /// From pairs of renders with different seeds: half the squared difference is the variance of one.
@@ -40,8 +41,11 @@ Spread measure(const transport::Scene& scene, SamplerKind sampler, int side, int
       const std::clock_t start = std::clock();
       const record::Record record = transport::render(scene, settings);
       spread.seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-      image[i] = record::beauty(record);
-      const auto all = record::energy(record, std::vector<bool>(record.words.size(), true));
+      // Without LE: the few pixels on the rim of a lamp would outweigh all others.
+      std::vector<bool> scattered;
+      for (const taxonomy::Word& word : record.words) scattered.push_back(!word.events.empty());
+      image[i] = record::image_of(record, scattered);
+      const auto all = record::energy(record, scattered);
       spread.mean_variance += all.standard_error * all.standard_error / (2 * pairs);
     }
     double sum = 0;
@@ -71,6 +75,7 @@ int main(int argc, char** argv) {
       const Spread sobol = measure(scene, SamplerKind::Sobol, side, samples, pairs);
       fmt::print("{:10} {:8} {:16.2f} {:22.2f} {:6.2f}\n", name, samples, random.pixel_variance / sobol.pixel_variance,
                  random.mean_variance / sobol.mean_variance, sobol.seconds / random.seconds);
+      std::fflush(stdout);
     }
   }
 }
