@@ -15,7 +15,7 @@ namespace {
 
 // Nodes are closer where the albedo bends: the square root of the cosine and of the width, and the reflection
 // coefficient (n - 1) / (n + 1) of the index, are spaced evenly.
-constexpr int kCosines = 24, kWidths = 16, kIndices = 12;
+constexpr int kCosines = 32, kWidths = 24, kIndices = 12;
 constexpr float kHighestCoefficient = (kHighestCoatIor - 1) / (kHighestCoatIor + 1);
 constexpr float kNarrowest = 0.001f;  ///< narrower coats are tabulated like this one
 
