@@ -66,6 +66,95 @@ TEST(JsonMaterial, EachTypeBecomesItsLobe) {
             20);
 }
 
+/// A material whose scene has a checkerboard "board" and a picture "tiles".
+Imported with_textures(const std::string& keys) {
+  return read_json_scene(R"({ "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "environment": 1,
+    "textures": [ { "name": "board", "type": "checkerboard", "first": 1, "second": 0.5 },
+                  { "name": "tiles", "type": "image", "file": "tiles.png", "scale": [2, 3], "offset": [0, 0.5] } ],
+    "materials": [ { "name": "m", )" +
+                             keys +
+                             R"( } ],
+    "shapes": [ { "type": "mesh", "material": "m", "positions": [[0,0,0],[1,0,0],[0,1,0]], "triangles": [[0,1,2]],
+                  "texcoords": [[0,0],[1,0],[0,2]] } ] })",
+                         "test", kSourceDir / "tests/import/data");
+}
+
+TEST(JsonMaterial, ReadsTheRestOfTheLobes) {
+  const auto only = [](const std::string& keys) { return material_of(keys).lobes.at(0); };
+  EXPECT_EQ(std::get<OrenNayar>(only(R"("type": "oren-nayar", "albedo": 0.4, "roughness": 0.7)")).roughness, 0.7f);
+  EXPECT_EQ(
+      std::get<DiffuseTransmission>(only(R"("type": "diffuse-transmission", "transmittance": 0.4)")).transmittance,
+      Rgb(0.4f));
+  EXPECT_EQ(std::get<ThinDielectric>(only(R"("type": "thin-dielectric", "ior": 1.4)")).ior, 1.4f);
+  const auto copper = std::get<MicrofacetReflection>(
+      only(R"("type": "beckmann", "metal": "cu", "alpha": 0.2, "alpha_across": 0.1, "weight": 0.5)"));
+  EXPECT_EQ(copper.facets.distribution, Microfacets::Distribution::Beckmann);
+  EXPECT_EQ(copper.facets.alpha_x, 0.2f);
+  EXPECT_EQ(copper.facets.alpha_y, 0.1f);
+  EXPECT_EQ(copper.tint, Rgb(0.5f));
+  EXPECT_NEAR(std::get<ConductorFresnel>(copper.fresnel).k.r, 3.913f, 1e-3f);
+  const auto measured = std::get<Mirror>(only(R"("type": "mirror", "eta": [1, 2, 3], "k": 4)"));
+  EXPECT_EQ(std::get<ConductorFresnel>(measured.fresnel).eta, Rgb(1, 2, 3));
+  const auto frosted = std::get<RoughDielectric>(
+      only(R"("type": "rough-dielectric", "ior": 1.3, "roughness": 0.5, "distribution": "beckmann")"));
+  EXPECT_EQ(frosted.ior, 1.3f);
+  EXPECT_FLOAT_EQ(frosted.facets.alpha_x, 0.25f);
+  EXPECT_EQ(frosted.facets.distribution, Microfacets::Distribution::Beckmann);
+}
+
+TEST(JsonMaterial, PlasticAndMetallicRoughnessAreSums) {
+  const Material smooth = material_of(R"("type": "plastic", "albedo": 0.5, "ior": 1.6)");
+  EXPECT_EQ(std::get<DielectricFresnel>(std::get<Mirror>(smooth.lobes.at(0)).fresnel).ior, 1.6f);
+  EXPECT_EQ(std::get<CoatedDiffuse>(smooth.lobes.at(1)).coat.ior, 1.6f);
+  EXPECT_TRUE(std::get<CoatedDiffuse>(smooth.lobes.at(1)).linear);
+  const Material rough = material_of(R"("type": "plastic", "albedo": 0.5, "alpha": 0.3, "saturates": true)");
+  EXPECT_EQ(std::get<MicrofacetReflection>(rough.lobes.at(0)).facets.alpha_x, 0.3f);
+  EXPECT_EQ(std::get<CoatedDiffuse>(rough.lobes.at(1)).coat.alpha, 0.3f);
+  EXPECT_FALSE(std::get<CoatedDiffuse>(rough.lobes.at(1)).linear);
+  EXPECT_EQ(material_of(R"("type": "metallic-roughness", "base": 0.5, "roughness": 0.4)").lobes.size(), 3u);
+}
+
+TEST(JsonTexture, FindsItsWayIntoTheMaterial) {
+  const Imported imported = with_textures(
+      R"("lobes": [ { "type": "lambert", "albedo": 0.5, "albedo_texture": "tiles", "weight_texture": "board" },
+                    { "type": "ggx", "f0": 1, "roughness": 1, "roughness_texture": {"name": "tiles", "channel": "g"},
+                      "weight_texture": "board", "weight_inverted": true } ],
+         "opacity_texture": {"name": "tiles", "channel": "a"}, "normal_map": "tiles", "normal_strength": 2,
+         "lobe_sides": "front")");
+  const Scene& scene = imported.scene;
+  ASSERT_EQ(scene.textures.size(), 2u);
+  EXPECT_EQ(std::get<Checkerboard>(scene.textures[0].source).second, Rgb(0.5f));
+  const auto& picture = std::get<Image>(scene.textures[1].source);
+  EXPECT_EQ(picture.width, 2);
+  EXPECT_EQ(picture.bytes.at(0), 255) << "red in the upper left";
+  EXPECT_EQ(picture.bytes.at(15), 128) << "half transparent in the lower right";
+  EXPECT_TRUE(picture.srgb);
+  EXPECT_EQ(scene.textures[1].scale, glm::vec2(2, 3));
+  EXPECT_EQ(scene.textures[1].offset, glm::vec2(0, 0.5f));
+  const Material& m = scene.materials.at(0);
+  using Parameter = LobeTexture::Parameter;
+  const struct {
+    std::uint32_t lobe;
+    Parameter parameter;
+    std::uint32_t texture;
+    Channel channel;
+  } kExpected[] = {{0, Parameter::Colour, 1, Channel::R},
+                   {0, Parameter::Weight, 0, Channel::R},
+                   {1, Parameter::Roughness, 1, Channel::G},
+                   {1, Parameter::OneMinusWeight, 0, Channel::R}};
+  ASSERT_EQ(m.textures.size(), std::size(kExpected));
+  for (std::size_t i = 0; i < m.textures.size(); ++i) {
+    EXPECT_EQ(m.textures[i].lobe, kExpected[i].lobe) << i;
+    EXPECT_EQ(m.textures[i].parameter, kExpected[i].parameter) << i;
+    EXPECT_EQ(m.textures[i].texture.texture, kExpected[i].texture) << i;
+    EXPECT_EQ(m.textures[i].texture.channel, kExpected[i].channel) << i;
+  }
+  EXPECT_EQ(m.opacity->channel, Channel::A);
+  EXPECT_EQ(m.normal_map->strength, 2);
+  EXPECT_EQ(m.lobe_sides, Sides::Front);
+  EXPECT_EQ(mesh(scene.shapes.at(0)).texcoords.at(2), glm::vec2(0, 2));
+}
+
 TEST(JsonMaterial, KeepsEmissionAndTheTermsThatAreNoPaths) {
   const Material lamp = material_of(R"("type": "lambert", "albedo": 0.5, "emission": [3, 2, 1])");
   EXPECT_EQ(lamp.emission, Rgb(3, 2, 1));

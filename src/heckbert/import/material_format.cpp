@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include <heckbert/import/scene_format.h>
 #include <heckbert/import/words.h>
+#include <heckbert/transport/lobe.h>
 #include <heckbert/transport/material.h>
 #include <heckbert/transport/overload.h>
 
@@ -10,35 +12,219 @@ namespace {
 
 using namespace transport;
 
-/// The parameters of every kind of lobe; each kind reads its own.
+/// The parameters of every type of lobe; each type reads its own.
 struct LobeDraft {
-  Rgb albedo, reflectance, f0;
-  Rgb reflection_tint{1.0f}, transmission_tint{1.0f};
+  Rgb albedo, reflectance{1.0f}, transmittance, f0, base;
+  Rgb reflection_tint{1.0f}, transmission_tint{1.0f}, tint{1.0f};
   float ior = 1.5f;
-  std::optional<float> roughness, alpha;
-  float exponent = 0;
+  std::optional<Rgb> eta, k;
+  const JsonNode* metal = nullptr;
+  std::optional<float> roughness, alpha, alpha_across;
+  std::size_t distribution = 0;
+  float exponent = 0, metallic = 0;
+  bool saturates = false;
+  const JsonNode* colour_texture = nullptr;
+  const JsonNode* roughness_texture = nullptr;
+  const JsonNode* metallic_texture = nullptr;
+  float weight = 1;
+  const JsonNode* weight_texture = nullptr;
+  bool weight_inverted = false;
+};
+
+/// What building a lobe may look at.
+struct LobeContext {
+  Reader& in;
+  const JsonNode& node;
+  const LobeDraft& draft;
+  const Names& textures;
 };
 
 struct LobeKind {
   std::string name;
   std::string meaning;
   std::vector<Key<LobeDraft>> keys;
-  Lobe (*build)(Reader&, const JsonNode&, const LobeDraft&);
+  void (*build)(const LobeContext&, Material&);  ///< appends one lobe or several, and their textures
 };
 
-// Below these a rough mirror is a mirror in all but letter, and numerically worse.
+// Below these a rough surface is a smooth one in all but letter, and numerically worse.
 constexpr Range kAlpha{0.001, 1};
 constexpr Range kRoughness{0.03, 1};
+// Above the index of a coat its table ends; at 1 there is no surface.
+constexpr Range kCoatIor{1, static_cast<double>(kHighestCoatIor)};
+constexpr Range kIor{0.2, 5};
 
-Lobe build_ggx(Reader& in, const JsonNode& node, const LobeDraft& d) {
-  if (d.roughness.has_value() == d.alpha.has_value()) {
-    const bool none = !d.roughness;
-    if (!none || (node.find("roughness") == nullptr && node.find("alpha") == nullptr)) {
-      in.error(node, none ? "a ggx lobe needs \"roughness\" or \"alpha\""
-                          : "a ggx lobe takes \"roughness\" or \"alpha\", not both: alpha is roughness squared");
-    }
+struct ChannelDraft {
+  const JsonNode* name = nullptr;
+  Channel channel = Channel::R;
+};
+
+const std::vector<Key<ChannelDraft>>& channel_keys() {
+  using D = ChannelDraft;
+  static const std::vector<Key<D>> keys{
+      key("name", Later{"name of a texture"}, &D::name, kRequired, "of the texture"),
+      key("channel", Choice{{"r", "g", "b", "a"}}, &D::channel, "r", "which of its channels; `a` is opacity")};
+  return keys;
+}
+
+const Later kTextureName{"name of a texture"};
+const Later kTextureChannel{"name of a texture, or a texture channel object"};
+
+/// One channel of a texture, by its name alone or by name and channel.
+std::optional<ScalarTexture> find_channel(Reader& in, const JsonNode* node, const Names& textures) {
+  if (node == nullptr) {
+    return {};
   }
-  return ggx(d.f0, d.alpha.value_or(d.roughness.value_or(1.0f) * d.roughness.value_or(1.0f)));
+  ChannelDraft draft{.name = node};
+  if (node->kind == JsonNode::Kind::Object) {
+    draft.name = nullptr;
+    read_object(in, *node, "texture channel", channel_keys(), draft);
+  }
+  const auto texture = textures.find(in, draft.name);
+  return texture ? std::optional(ScalarTexture{*texture, draft.channel}) : std::nullopt;
+}
+
+void add_texture(Material& material, LobeTexture::Parameter parameter, std::optional<ScalarTexture> texture) {
+  if (texture) {
+    material.textures.push_back(
+        {.lobe = static_cast<std::uint32_t>(material.lobes.size() - 1), .parameter = parameter, .texture = *texture});
+  }
+}
+
+/// Appends a lobe with its textures, as far as its type has the keys.
+void add_lobe(const LobeContext& c, Material& material, const Lobe& lobe) {
+  material.lobes.push_back(lobe);
+  if (const auto colour = c.textures.find(c.in, c.draft.colour_texture)) {
+    add_texture(material, LobeTexture::Parameter::Colour, ScalarTexture{*colour});
+  }
+  add_texture(material, LobeTexture::Parameter::Roughness, find_channel(c.in, c.draft.roughness_texture, c.textures));
+}
+
+bool is_given(const JsonNode& node, std::string_view key) {
+  return node.find(key) != nullptr;
+}
+
+Microfacets::Distribution distribution(const LobeDraft& d) {
+  return static_cast<Microfacets::Distribution>(d.distribution);
+}
+
+/// Width of the facets from `roughness` or `alpha`; nothing when neither is there.
+std::optional<float> facet_width(const LobeContext& c) {
+  if (is_given(c.node, "roughness") && is_given(c.node, "alpha")) {
+    c.in.error(c.node, "a lobe takes \"roughness\" or \"alpha\", not both: alpha is roughness squared");
+  }
+  return c.draft.roughness ? *c.draft.roughness * *c.draft.roughness : c.draft.alpha;
+}
+
+Microfacets facets(const LobeContext& c, std::string_view type) {
+  if (!is_given(c.node, "roughness") && !is_given(c.node, "alpha")) {
+    c.in.error(c.node, "a " + std::string(type) + " lobe needs \"roughness\" or \"alpha\"");
+  }
+  const float alpha = facet_width(c).value_or(1.0f);
+  return {alpha, c.draft.alpha_across.value_or(alpha), distribution(c.draft)};
+}
+
+/// A metal by `metal` or by `eta` and `k`; else `otherwise`, whose key is `colour`.
+Fresnel reflectance(const LobeContext& c, std::string_view colour, const Fresnel& otherwise) {
+  const bool named = is_given(c.node, "metal"), measured = is_given(c.node, "eta") || is_given(c.node, "k");
+  if (int{named} + int{measured} + int{is_given(c.node, colour)} != 1) {
+    c.in.error(c.node, "expected one of \"" + std::string(colour) + "\", \"metal\", or \"eta\" and \"k\"");
+    return otherwise;
+  }
+  if (measured) {
+    if (!is_given(c.node, "eta") || !is_given(c.node, "k")) {
+      c.in.error(c.node, "\"eta\" and \"k\" make a metal together");
+    }
+    return ConductorFresnel{c.draft.eta.value_or(Rgb(1)), c.draft.k.value_or(Rgb(0))};
+  }
+  if (c.draft.metal == nullptr) {
+    return otherwise;
+  }
+  std::vector<std::string> names;
+  for (const Metal& metal : metals()) {
+    names.emplace_back(metal.name);
+  }
+  if (c.draft.metal->kind != JsonNode::Kind::Text) {
+    c.in.error_expected(*c.draft.metal, "the chemical symbol of a metal");
+  } else if (const auto found = find_metal(c.draft.metal->text)) {
+    return *found;
+  } else {
+    c.in.error(*c.draft.metal, "there is no metal \"" + c.draft.metal->text + "\"",
+               Reader::suggest(c.draft.metal->text, names));
+  }
+  return otherwise;
+}
+
+// ---- keys that several types share --------------------------------------------------------------------------------
+
+using LobeKey = Key<LobeDraft>;
+
+std::string metal_names() {
+  std::string out;
+  for (const Metal& metal : metals()) {
+    out += (out.empty() ? "" : ", ") + std::string(metal.name);
+  }
+  return out;
+}
+
+std::vector<LobeKey> operator+(std::vector<LobeKey> a, const std::vector<LobeKey>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+LobeKey colour_texture_key(std::string_view name) {
+  return key(name, kTextureName, &LobeDraft::colour_texture, "none", "multiplies the colour before it");
+}
+
+std::vector<LobeKey> width_keys(std::string_view otherwise) {
+  using D = LobeDraft;
+  return {key("roughness", Number{kRoughness}, &D::roughness, otherwise, "what artists call roughness"),
+          key("alpha", Number{kAlpha}, &D::alpha, otherwise, "roughness squared: width parameter of the distribution")};
+}
+
+std::vector<LobeKey> facet_keys() {
+  using D = LobeDraft;
+  return width_keys("one of the two is required") +
+         std::vector{
+             key("alpha_across", Number{kAlpha}, &D::alpha_across, "the other width",
+                 "width across the tangent, which follows u of the texture coordinates: brushed metal"),
+             key("roughness_texture", kTextureChannel, &D::roughness_texture, "none", "multiplies the roughness")};
+}
+
+LobeKey distribution_key() {
+  return key("distribution", Choice{{"ggx", "beckmann"}}, &LobeDraft::distribution, "ggx", "how facets are spread");
+}
+
+std::vector<LobeKey> metal_keys() {
+  using D = LobeDraft;
+  return {key("metal", Later{"one of " + metal_names()}, &D::metal, "none", "chemical symbol of a measured metal"),
+          key("eta", Colour{{0, 20}}, &D::eta, "none", "real part of a metal's index, with `k`"),
+          key("k", Colour{{0, 20}}, &D::k, "none", "imaginary part of a metal's index"),
+          key("tint", Colour{kUnit}, &D::tint, "1", "multiplies the whole lobe")};
+}
+
+std::vector<LobeKey> glass_keys() {
+  using D = LobeDraft;
+  return {key("reflection_tint", Colour{kUnit}, &D::reflection_tint, "1", "multiplies what Fresnel reflects"),
+          key("transmission_tint", Colour{kUnit}, &D::transmission_tint, "1", "multiplies what Fresnel transmits")};
+}
+
+LobeKey ior_key(const Range& range, std::string_view meaning) {
+  return key("ior", Number{range}, &LobeDraft::ior, "1.5", meaning);
+}
+
+std::vector<LobeKey> reflectance_keys() {
+  return {key("f0", Colour{kUnit}, &LobeDraft::f0, "from `metal`, or `eta` and `k`",
+              "reflectance at normal incidence; from there by Schlick's Fresnel"),
+          colour_texture_key("f0_texture")};
+}
+
+void build_microfacets(const LobeContext& c, Material& material, Microfacets::Distribution distribution) {
+  const bool ggx = distribution == Microfacets::Distribution::Ggx;
+  MicrofacetReflection lobe{.fresnel = reflectance(c, "f0", SchlickFresnel{c.draft.f0}),
+                            .facets = facets(c, ggx ? "ggx" : "beckmann"),
+                            .tint = c.draft.tint};
+  lobe.facets.distribution = distribution;
+  add_lobe(c, material, lobe);
 }
 
 const std::vector<LobeKind>& lobe_kinds() {
@@ -46,35 +232,124 @@ const std::vector<LobeKind>& lobe_kinds() {
   static const std::vector<LobeKind> kinds{
       {"lambert",
        "Diffuse reflection. Letter D.",
-       {key("albedo", Colour{kUnit}, &D::albedo, kRequired, "share of the light that is reflected")},
-       [](Reader&, const JsonNode&, const D& d) -> Lobe { return Lambert{d.albedo}; }},
-      {"mirror",
-       "Perfect mirror. Letter S.",
-       {key("reflectance", Colour{kUnit}, &D::reflectance, kRequired, "share of the light that is reflected")},
-       [](Reader&, const JsonNode&, const D& d) -> Lobe { return Mirror{d.reflectance}; }},
+       {key("albedo", Colour{kUnit}, &D::albedo, kRequired, "share of the light that is reflected"),
+        colour_texture_key("albedo_texture")},
+       [](const LobeContext& c, Material& m) { add_lobe(c, m, Lambert{c.draft.albedo}); }},
+      {"oren-nayar",
+       "Rough diffuse reflection, by Fujii's improvement of Oren and Nayar's qualitative model. Letter D.",
+       {key("albedo", Colour{kUnit}, &D::albedo, kRequired, "share of the light that is reflected at grazing angles"),
+        colour_texture_key("albedo_texture"),
+        key("roughness", Number{kUnit}, &D::roughness, kRequired, "0 is Lambert's law")},
+       [](const LobeContext& c, Material& m) {
+         add_lobe(c, m, OrenNayar{c.draft.albedo, c.draft.roughness.value_or(0.0f)});
+       }},
+      {"diffuse-transmission",
+       "Diffuse light on the far side: paper, leaves. Letter D, transmitted.",
+       {key("transmittance", Colour{kUnit}, &D::transmittance, kRequired, "share of the light that is transmitted"),
+        colour_texture_key("transmittance_texture")},
+       [](const LobeContext& c, Material& m) { add_lobe(c, m, DiffuseTransmission{c.draft.transmittance}); }},
+      {"mirror", "Perfect mirror, of a colour or of metal. Letter S.",
+       std::vector{key("reflectance", Colour{kUnit}, &D::reflectance, "from `metal`, or `eta` and `k`",
+                       "share of the light that is reflected"),
+                   colour_texture_key("reflectance_texture")} +
+           metal_keys(),
+       [](const LobeContext& c, Material& m) {
+         add_lobe(c, m, Mirror{reflectance(c, "reflectance", c.draft.reflectance), c.draft.tint});
+       }},
       {"dielectric",
        "Smooth glass, water, air bubble: exact Fresnel and Snell, vacuum in front of the surface. Letter S.",
-       {key("ior", Number{{0.2, 5}}, &D::ior, "1.5", "index of refraction behind the surface; below 1 for a bubble"),
-        key("reflection_tint", Colour{kUnit}, &D::reflection_tint, "1", "multiplies what Fresnel reflects"),
-        key("transmission_tint", Colour{kUnit}, &D::transmission_tint, "1", "multiplies what Fresnel transmits")},
-       [](Reader&, const JsonNode&, const D& d) -> Lobe {
-         return Dielectric{d.ior, d.reflection_tint, d.transmission_tint};
+       std::vector{ior_key(kIor, "index of refraction behind the surface; below 1 for a bubble")} + glass_keys(),
+       [](const LobeContext& c, Material& m) {
+         add_lobe(c, m, Dielectric{c.draft.ior, c.draft.reflection_tint, c.draft.transmission_tint});
+       }},
+      {"thin-dielectric", "A pane of glass without thickness, which light passes straight. Letter S.",
+       std::vector{ior_key(kIor, "index of refraction of the pane")} + glass_keys(),
+       [](const LobeContext& c, Material& m) {
+         add_lobe(c, m, ThinDielectric{c.draft.ior, c.draft.reflection_tint, c.draft.transmission_tint});
+       }},
+      {"rough-dielectric",
+       "Rough glass: facets that reflect and refract. Letter G. Takes `roughness` or `alpha`, not both.",
+       std::vector{ior_key(kIor, "index of refraction behind the surface, other than 1"), distribution_key()} +
+           facet_keys() + glass_keys(),
+       [](const LobeContext& c, Material& m) {
+         if (std::abs(c.draft.ior - 1) <= kLeastRefraction) {
+           c.in.error(*c.node.find("ior"), "rough glass needs an index of refraction other than 1");
+         }
+         add_lobe(c, m,
+                  RoughDielectric{c.draft.ior, facets(c, "rough-dielectric"), c.draft.reflection_tint,
+                                  c.draft.transmission_tint});
        }},
       {"ggx",
-       "Rough metal: GGX microfacets with Schlick's Fresnel. Letter G. Takes `roughness` or `alpha`, not both; for a "
-       "perfectly smooth one use `mirror`.",
-       {key("f0", Colour{kUnit}, &D::f0, kRequired, "reflectance at normal incidence"),
-        key("roughness", Number{kRoughness}, &D::roughness, "from `alpha`", "what artists call roughness"),
-        key("alpha", Number{kAlpha}, &D::alpha, "roughness squared", "width parameter of the distribution")},
-       build_ggx},
+       "Rough metal: GGX microfacets. Letter G. Takes `roughness` or `alpha`, not both; for a perfectly smooth one use "
+       "`mirror`.",
+       reflectance_keys() + facet_keys() + metal_keys(),
+       [](const LobeContext& c, Material& m) { build_microfacets(c, m, Microfacets::Distribution::Ggx); }},
+      {"beckmann", "The same with Beckmann's distribution, which has no long tails. Letter G.",
+       reflectance_keys() + facet_keys() + metal_keys(),
+       [](const LobeContext& c, Material& m) { build_microfacets(c, m, Microfacets::Distribution::Beckmann); }},
       {"phong",
        "Normalised Phong lobe around the mirror direction. Letter G.",
        {key("reflectance", Colour{kUnit}, &D::reflectance, kRequired, "share of the light that is reflected"),
+        colour_texture_key("reflectance_texture"),
         key("exponent", Number{{0, 1e5}}, &D::exponent, kRequired, "higher is sharper")},
-       [](Reader&, const JsonNode&, const D& d) -> Lobe {
-         return Phong{d.reflectance, d.exponent};
+       [](const LobeContext& c, Material& m) {
+         add_lobe(c, m, Phong{c.draft.reflectance, c.draft.exponent});
+       }},
+      {"plastic",
+       "A clear coat over a diffuse base, as two lobes: S when neither `roughness` nor `alpha` is given, else G; and "
+       "D.",
+       std::vector{key("albedo", Colour{kUnit}, &D::albedo, kRequired, "of the base"),
+                   colour_texture_key("albedo_texture"), ior_key(kCoatIor, "index of refraction of the coat")} +
+           width_keys("smooth") +
+           std::vector{distribution_key(), key("saturates", Flag{}, &D::saturates, "false",
+                                               "light that bounces below the coat takes the base's colour each time")},
+       [](const LobeContext& c, Material& m) {
+         const Coat coat{c.draft.ior, facet_width(c).value_or(0.0f), distribution(c.draft)};
+         const std::vector<Lobe> lobes = plastic(c.draft.albedo, coat, !c.draft.saturates);
+         m.lobes.push_back(lobes.front());
+         add_lobe(c, m, lobes.back());
+       }},
+      {"metallic-roughness",
+       "The material model of glTF, as three lobes: coat G and base D of plastic, and metal G.",
+       {key("base", Colour{kUnit}, &D::base, kRequired, "colour of plastic and metal"),
+        colour_texture_key("base_texture"), key("metallic", Number{kUnit}, &D::metallic, "0", "share of metal"),
+        key("metallic_texture", kTextureChannel, &D::metallic_texture, "none", "multiplies the share of metal"),
+        key("roughness", Number{kRoughness}, &D::roughness, kRequired, "what artists call roughness"),
+        key("roughness_texture", kTextureChannel, &D::roughness_texture, "none", "multiplies the roughness"),
+        ior_key(kCoatIor, "index of refraction of the plastic's coat")},
+       [](const LobeContext& c, Material& m) {
+         add_metallic_roughness(m, {.base = c.draft.base,
+                                    .metallic = c.draft.metallic,
+                                    .roughness = c.draft.roughness.value_or(1.0f),
+                                    .ior = c.draft.ior,
+                                    .base_texture = c.textures.find(c.in, c.draft.colour_texture),
+                                    .metallic_texture = find_channel(c.in, c.draft.metallic_texture, c.textures),
+                                    .roughness_texture = find_channel(c.in, c.draft.roughness_texture, c.textures)});
        }}};
   return kinds;
+}
+
+/// Keys of every type of lobe: how much of it there is.
+const std::vector<LobeKey>& weight_keys() {
+  using D = LobeDraft;
+  static const std::vector<LobeKey> keys{
+      key("weight", Number{kUnit}, &D::weight, "1", "multiplies the lobe, for mixtures"),
+      key("weight_texture", kTextureChannel, &D::weight_texture, "none", "multiplies the lobe from place to place"),
+      key("weight_inverted", Flag{}, &D::weight_inverted, "false", "one minus `weight_texture` instead")};
+  return keys;
+}
+
+void weigh(const LobeContext& c, Material& material, std::size_t first) {
+  const auto texture = find_channel(c.in, c.draft.weight_texture, c.textures);
+  for (std::size_t i = first; i < material.lobes.size(); ++i) {
+    scale(material.lobes[i], Rgb(c.draft.weight));
+    if (texture) {
+      using Parameter = LobeTexture::Parameter;
+      material.textures.push_back({.lobe = static_cast<std::uint32_t>(i),
+                                   .parameter = c.draft.weight_inverted ? Parameter::OneMinusWeight : Parameter::Weight,
+                                   .texture = *texture});
+    }
+  }
 }
 
 const Choice& lobe_types() {
@@ -123,6 +398,10 @@ struct MaterialDraft {
   const JsonNode* medium = nullptr;
   std::optional<int> priority;
   bool is_index_matched = false;
+  Sides lobe_sides = Sides::Both;
+  const JsonNode* opacity = nullptr;
+  const JsonNode* normal_map = nullptr;
+  float normal_strength = 1;
 };
 
 const std::vector<Key<MaterialDraft>>& material_keys() {
@@ -144,36 +423,42 @@ const std::vector<Key<MaterialDraft>>& material_keys() {
       key("priority", Integer{0, 1000}, &D::priority, "0",
           "where bodies overlap, the higher one is there; among equals the one entered last"),
       key("index_matched", Flag{}, &D::is_index_matched, "false",
-          "the surface is the boundary of its medium and nothing else: light goes straight through, without a letter")};
+          "the surface is the boundary of its medium and nothing else: light goes straight through, without a letter"),
+      key("lobe_sides", Choice{{"front", "both"}}, &D::lobe_sides, "both", "from which sides the lobes are seen"),
+      key("opacity_texture", kTextureChannel, &D::opacity, "none",
+          "share of the surface that is there; through the rest light goes straight, without a letter"),
+      key("normal_map", kTextureName, &D::normal_map, "none",
+          "x along u, y along v and z along the normal, from -1 to 1 stored as 0 to 1"),
+      key("normal_strength", Number{{0, 10}}, &D::normal_strength, "1", "multiplies x and y of the normal map")};
   return keys;
 }
 
-/// The lobe that `node` describes; `beside` are keys that may stand in the same object.
-std::optional<Lobe> read_lobe(Reader& in, const JsonNode& node, const std::string& what, std::vector<BoundKey> beside) {
+/// Appends what `node` describes; `beside` are keys that may stand in the same object. False when it has no type.
+bool read_lobe(Reader& in, const JsonNode& node, const std::string& what, std::vector<BoundKey> beside,
+               const Names& textures, Material& out) {
   const auto type = read_type(in, node, what, lobe_types());
   if (!type) {
-    return {};
+    return false;
   }
   const LobeKind& kind = lobe_kinds()[*type];
   LobeDraft draft;
   bind(kind.keys, draft, beside);
+  bind(weight_keys(), draft, beside);
   read_object(in, node, what + " of type " + kind.name, beside);
-  return kind.build(in, node, draft);
+  const LobeContext context{in, node, draft, textures};
+  const std::size_t first = out.lobes.size();
+  kind.build(context, out);
+  weigh(context, out, first);
+  return true;
 }
 
-void read_lobes(Reader& in, const JsonNode& node, std::vector<Lobe>& out) {
+void read_lobes(Reader& in, const JsonNode& node, const Names& textures, Material& out) {
   read_list(in, node, "a list of lobes", [&](const JsonNode& item) {
     LobeDraft unused;
     std::vector<BoundKey> type;
     bind(lobe_type_key(), unused, type);
-    if (const auto lobe = read_lobe(in, item, "lobe", type)) {
-      out.push_back(*lobe);
-    }
+    read_lobe(in, item, "lobe", type, textures, out);
   });
-  if (node.items.size() > kMaxLobes) {
-    in.error(node, "a material has at most " + std::to_string(kMaxLobes) + " lobes, found " +
-                       std::to_string(node.items.size()));
-  }
 }
 
 void check_energy(Reader& in, const JsonNode& node, const Material& material) {
@@ -187,16 +472,16 @@ void check_energy(Reader& in, const JsonNode& node, const Material& material) {
 
 }  // namespace
 
-Material read_material(Reader& in, const JsonNode& node, const Names& media) {
+Material read_material(Reader& in, const JsonNode& node, const Names& media, const Names& textures) {
   MaterialDraft draft;
   std::vector<BoundKey> keys;
   bind(material_keys(), draft, keys);
   Material material;
   if (node.kind == JsonNode::Kind::Object && node.find("type") != nullptr) {
-    if (const auto lobe = read_lobe(in, node, "material", keys)) {
-      material.lobes.push_back(*lobe);
-    } else if (const JsonNode* name = node.find("name")) {
-      Text::read(in, *name, draft.name);
+    if (!read_lobe(in, node, "material", keys, textures, material)) {
+      if (const JsonNode* name = node.find("name")) {
+        Text::read(in, *name, draft.name);
+      }
     }
   } else {
     read_object(in, node, "material", keys);
@@ -204,11 +489,15 @@ Material read_material(Reader& in, const JsonNode& node, const Names& media) {
   if (draft.type != nullptr && draft.lobes != nullptr) {
     in.error(*draft.lobes, "a material takes \"type\" or \"lobes\", not both");
   } else if (draft.lobes != nullptr) {
-    read_lobes(in, *draft.lobes, material.lobes);
+    read_lobes(in, *draft.lobes, textures, material);
   } else if (node.kind == JsonNode::Kind::Object && node.find("type") == nullptr && node.find("emission") == nullptr &&
              !draft.is_index_matched) {
     in.error(node, "this material says nothing about light: give it \"type\", \"lobes\" or \"emission\"",
              "\"lobes\": [] makes a black surface");
+  }
+  if (material.lobes.size() > kMaxLobes) {
+    in.error(node, "a material has at most " + std::to_string(kMaxLobes) + " lobes, found " +
+                       std::to_string(material.lobes.size()));
   }
   material.name = draft.name;
   material.emission = draft.emission.radiance;
@@ -222,6 +511,11 @@ Material read_material(Reader& in, const JsonNode& node, const Names& media) {
   if (material.is_index_matched && (!material.lobes.empty() || !is_black(material.emission))) {
     in.error(*node.find("index_matched"), "an index-matched boundary has no lobes and emits nothing",
              "leave out \"index_matched\", or the rest");
+  }
+  material.lobe_sides = draft.lobe_sides;
+  material.opacity = find_channel(in, draft.opacity, textures);
+  if (const auto map = textures.find(in, draft.normal_map)) {
+    material.normal_map = NormalMap{*map, draft.normal_strength};
   }
   check_energy(in, node, material);
   return material;
@@ -309,10 +603,11 @@ std::vector<ObjectFacts> material_format() {
                "How a surface reflects and emits: one lobe by `type`, or several by `lobes`. Reflectances may not add "
                "up to more than 1.",
                material_keys()),
-      facts_of("emission", "Emission that says which sides emit.", emission_keys())};
+      facts_of("emission", "Emission that says which sides emit.", emission_keys()),
+      facts_of("texture channel", "One number of a texture.", channel_keys())};
   for (const LobeKind& kind : lobe_kinds()) {
     out.push_back(facts_of("lobe of type " + kind.name, kind.meaning, lobe_type_key()));
-    for (const Key<LobeDraft>& k : kind.keys) {
+    for (const Key<LobeDraft>& k : kind.keys + weight_keys()) {
       out.back().keys.push_back(k.facts);
     }
   }

@@ -59,6 +59,7 @@ void transform(Mesh& mesh, const glm::mat4& to_world) {
 void append(Mesh& mesh, const Mesh& more) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   const bool keep_normals = !more.normals.empty() && (base == 0 || !mesh.normals.empty());
+  const bool keep_texcoords = !more.texcoords.empty() && (base == 0 || !mesh.texcoords.empty());
   mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
   for (const glm::uvec3 t : more.triangles) {
     mesh.triangles.push_back(t + base);
@@ -67,6 +68,11 @@ void append(Mesh& mesh, const Mesh& more) {
     mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
   } else {
     mesh.normals.clear();
+  }
+  if (keep_texcoords) {
+    mesh.texcoords.insert(mesh.texcoords.end(), more.texcoords.begin(), more.texcoords.end());
+  } else {
+    mesh.texcoords.clear();
   }
 }
 

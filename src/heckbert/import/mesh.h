@@ -22,7 +22,7 @@ Bounds bounds_of(const std::vector<transport::Shape>& shapes);
 /// Moves positions and normals. A transform that mirrors also reverses the corners, so that the front stays the front.
 void transform(transport::Mesh& mesh, const glm::mat4& to_world);
 
-/// Adds the triangles of `more`. Normals survive when both have them or `mesh` is empty.
+/// Adds the triangles of `more`. Normals and texture coordinates survive when both have them or `mesh` is empty.
 void append(transport::Mesh& mesh, const transport::Mesh& more);
 
 }  // namespace heckbert::import

@@ -244,6 +244,7 @@ struct SceneDraft {
   LightsDraft lights;
   const JsonNode* environment_image = nullptr;
   const JsonNode* media = nullptr;
+  const JsonNode* textures = nullptr;
   const JsonNode* medium = nullptr;
   const JsonNode* materials = nullptr;
   const JsonNode* shapes = nullptr;
@@ -269,6 +270,7 @@ const std::vector<Key<SceneDraft>>& scene_keys() {
       scene_key("camera", Custom<Camera>{"a camera", read_camera}, &Scene::camera, kRequired, "the eye"),
       scene_key("render", Custom<RenderDefaults>{"a render object", read_render}, &Scene::defaults, "program",
                 "what the author suggests; flags override it"),
+      key("textures", Later{"list of textures"}, &D::textures, "`[]`", "pictures and patterns that materials name"),
       key("media", Later{"list of media"}, &D::media, "`[]`", "fog, milk, the colour of glass"),
       key("medium", Later{"name of a medium"}, &D::medium, "nothing", "what fills all space outside of bodies"),
       key("materials", Later{"list of materials"}, &D::materials, kRequired, "at least one"),
@@ -306,6 +308,7 @@ class SceneBuilder {
     if (root_.kind == JsonNode::Kind::Object) {
       read_media(draft.media);
       imported_.scene.medium = media_.find(in_, draft.medium);
+      read_textures(draft.textures);
       read_materials(draft.materials);
       read_groups(draft.groups);
       read_shapes(draft.shapes, imported_.scene.shapes);
@@ -335,12 +338,22 @@ class SceneBuilder {
     });
   }
 
+  void read_textures(const JsonNode* node) {
+    if (node == nullptr) {
+      return;
+    }
+    read_list(in_, *node, "a list of textures", [&](const JsonNode& item) {
+      Texture& texture = imported_.scene.textures.emplace_back(read_texture(in_, item, directory_));
+      textures_.add(in_, item, texture.name);
+    });
+  }
+
   void read_materials(const JsonNode* node) {
     if (node == nullptr) {
       return;
     }
     read_list(in_, *node, "a list of materials", [&](const JsonNode& item) {
-      Material material = read_material(in_, item, media_);
+      Material material = read_material(in_, item, media_, textures_);
       materials_.add(in_, item, material.name);
       imported_.account.understood.push_back("material \"" + material.name + "\": " + describe(material));
       imported_.scene.materials.push_back(std::move(material));
@@ -472,6 +485,7 @@ class SceneBuilder {
   const JsonNode& root_;
   const std::filesystem::path& directory_;
   Names media_{"medium", {}};
+  Names textures_{"texture", {}};
   Names materials_{"material", {}};
   Names groups_{"group", {}};
   Imported imported_;
@@ -517,6 +531,7 @@ std::vector<ObjectFacts> scene_format() {
   out.push_back(facts_of("medium",
                          "Homogeneous; light that it scatters has the letter V. Without scattering it only absorbs.",
                          medium_keys()));
+  add(texture_format());
   add(material_format());
   add(shape_format());
   add(transform_format());

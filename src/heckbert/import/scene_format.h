@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include <heckbert/import/import.h>
 #include <heckbert/import/object_reader.h>
@@ -45,7 +46,14 @@ struct Names {
   std::optional<std::uint32_t> find(Reader& in, const JsonNode* node) const;
 };
 
-transport::Material read_material(Reader& in, const JsonNode& node, const Names& media);
+transport::Material read_material(Reader& in, const JsonNode& node, const Names& media, const Names& textures);
+/// Texture coordinates, [u, v].
+void read_pair(Reader& in, const JsonNode& node, glm::vec2& out);
+
+/// Relative file names resolve against `directory`.
+transport::Texture read_texture(Reader& in, const JsonNode& node, const std::filesystem::path& directory);
+std::vector<ObjectFacts> texture_format();
+
 /// "Lambert 0.7, mirror 0.2", for accounts.
 std::string describe(const transport::Material& material);
 std::vector<ObjectFacts> material_format();

@@ -51,6 +51,10 @@ void read_points(Reader& in, const JsonNode& node, std::vector<glm::vec3>& out) 
             [&](const JsonNode& item) { Vector::read(in, item, out.emplace_back(0.0f)); });
 }
 
+void read_texcoords(Reader& in, const JsonNode& node, std::vector<glm::vec2>& out) {
+  read_list(in, node, "a list of [u, v]", [&](const JsonNode& item) { read_pair(in, item, out.emplace_back(0.0f)); });
+}
+
 void read_mesh(Reader& in, const JsonNode& node, std::vector<glm::uvec3>& out) {
   read_list(in, node, "a list of [i, j, k]", [&](const JsonNode& item) {
     glm::uvec3& triangle = out.emplace_back(0u);
@@ -71,6 +75,10 @@ Geometry build_mesh(const BuildContext& b) {
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
     b.in.error(*b.node.find("normals"), "expected one normal per position, " + std::to_string(mesh.positions.size()) +
                                             ", found " + std::to_string(mesh.normals.size()));
+  }
+  if (!mesh.texcoords.empty() && mesh.texcoords.size() != mesh.positions.size()) {
+    b.in.error(*b.node.find("texcoords"), "expected one [u, v] per position, " + std::to_string(mesh.positions.size()) +
+                                              ", found " + std::to_string(mesh.texcoords.size()));
   }
   const JsonNode& triangles = *b.node.find("triangles");
   if (mesh.triangles.empty()) {
@@ -174,7 +182,9 @@ const std::vector<ShapeKind>& shape_kinds() {
         mesh_key("triangles", Triangles{"list of [i, j, k]", read_mesh}, &Mesh::triangles, kRequired,
                  "three indices into `positions`, from 0"),
         mesh_key("normals", Points{"list of [x, y, z]", read_points}, &Mesh::normals, "flat",
-                 "one per position, for shading")},
+                 "one per position, for shading"),
+        mesh_key("texcoords", Custom<std::vector<glm::vec2>>{"list of [u, v]", read_texcoords}, &Mesh::texcoords,
+                 "(0, 0), (1, 0), (0, 1) in every triangle", "one per position, for textures")},
        build_mesh},
       {"obj",
        "The triangles of a Wavefront OBJ file; its materials are not read (to read them, give the OBJ file to the "

@@ -135,7 +135,8 @@ std::optional<LightSample> Lights::sample_source(Source source, glm::vec3 from, 
                          .direction = d / distance,
                          .target = surface->position + (front ? e.error : -e.error) * surface->normal,
                          .radiance = radiance,
-                         .pdf_solid_angle = surface->pdf_solid_angle};
+                         .pdf_solid_angle = surface->pdf_solid_angle,
+                         .cut_out = scene_.materials[e.material].opacity ? source.index : kNoEmitter};
     }
     case Source::Type::Point: {
       const PointLight& light = scene_.point_lights[source.index];

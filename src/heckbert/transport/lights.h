@@ -26,6 +26,8 @@ struct LightSample {
   /// With the probability of choosing this light; for a delta light that probability alone.
   float pdf_solid_angle = 0;
   bool is_delta = false;  ///< no ray can hit it by chance
+  /// A light whose surface has holes: the shadow ray must meet this very emitter, not just reach `target`.
+  std::uint32_t cut_out = kNoEmitter;
 };
 
 class Lights {

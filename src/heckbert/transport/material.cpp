@@ -17,9 +17,6 @@ namespace heckbert::transport {
 
 namespace {
 
-/// Facets between media of nearly equal index bend light so little that the facet cannot be told from the two rays.
-constexpr float kLeastRefraction = 1e-3f;
-
 Rgb larger(Rgb a, Rgb b) {
   return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
 }

@@ -14,6 +14,10 @@ namespace heckbert::transport {
 /// count as 1, except that those which mix lobes count as whatever mixture is brightest.
 Rgb max_albedo(const Material& material);
 
+/// Facets between media of nearly equal index bend light so little that the facet cannot be told from the two rays:
+/// rough glass needs an index that differs from 1 by more.
+inline constexpr float kLeastRefraction = 1e-3f;
+
 /// Errors: std::invalid_argument for a material that breaks the rules of scene.h, named in the message.
 void check_material(const Scene& scene, const Material& material);
 

@@ -55,15 +55,17 @@ Meeting travel_through_bodies(const World& world, Walk& walk, Ray& ray, Rgb& thr
 
 Rgb passage(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const bool has_holes = light.cut_out != kNoEmitter, endless = light.infinite || has_holes;
   Rgb passed(1.0f);
   for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
-    const float farthest = light.infinite ? kInfinity : glm::distance(light.target, from);
-    const glm::vec3 direction = light.infinite ? light.direction : (light.target - from) / farthest;
+    const float farthest = endless ? kInfinity : glm::distance(light.target, from);
+    const glm::vec3 direction = endless ? light.direction : (light.target - from) / farthest;
     ++walk.rays;
     const std::optional<Hit> hit = world.tracer.intersect(Ray{from, direction}, farthest);
     if (const Medium* medium = bodies.medium(world.scene))
       passed *= transmittance(*medium, hit ? glm::distance(hit->position, from) : farthest);
-    if (!hit) return passed;
+    if (!hit) return has_holes ? Rgb{} : passed;
+    if (has_holes && hit->emitter == light.cut_out) return passed;
     if (!is_passed(world.scene, bodies, *hit)) break;
     pass(world.scene, bodies, *hit, from);
   }

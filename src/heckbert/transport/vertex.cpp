@@ -20,8 +20,12 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
     return light.radiance * passage(world, walk, bodies, origin, light);
   }
   ++walk.rays;
-  const bool occluded = light.infinite ? world.tracer.is_occluded(Ray{origin, light.direction})
-                                       : world.tracer.is_occluded(origin, light.target);
+  const Ray ray{origin, light.direction};
+  if (light.cut_out != kNoEmitter) {
+    const std::optional<Hit> met = world.tracer.intersect(ray);
+    return met && met->emitter == light.cut_out ? light.radiance : Rgb{};
+  }
+  const bool occluded = light.infinite ? world.tracer.is_occluded(ray) : world.tracer.is_occluded(origin, light.target);
   return occluded ? Rgb{} : light.radiance;
 }
 
