@@ -81,7 +81,8 @@ struct EntryFrame {
   void point_at(Entry* entries, const std::vector<std::size_t>& offsets) {
     for (std::size_t c = 0; c < kEntryChannels.size(); ++c)
       for (std::size_t i = 0; i < counts.size(); ++i)
-        first_values[c][i] = reinterpret_cast<char*>(entries + offsets[i]) + kEntryChannels[c].offset;
+        first_values[c][i] = counts[i] == 0 ? nullptr  // a record without entries has none to point at
+                                            : reinterpret_cast<char*>(entries + offsets[i]) + kEntryChannels[c].offset;
   }
 
   std::vector<unsigned> counts;  // by pixel
@@ -184,9 +185,12 @@ void check_info(const RenderInfo& info) {
   require(info.samples_per_pixel >= 1, "the number of samples per pixel is not positive");
 }
 
-std::vector<taxonomy::Word> read_words(const Imf::Header& header) {
+std::vector<taxonomy::Word> read_words(const Imf::Header& header, std::uint64_t file_bytes) {
   require(Imf::hasIDManifest(header), "the id manifest is missing");
-  const Imf::IDManifest manifest(Imf::idManifest(header));
+  const Imf::CompressedIDManifest& packed = Imf::idManifest(header);
+  require(exr::can_unpack_to(packed._uncompressedDataSize, file_bytes),
+          "the file is damaged: its id manifest promises more words than it can hold");
+  const Imf::IDManifest manifest(packed);
   const std::size_t group = manifest.find(kIdChannel);
   require(group < manifest.size(), "the id manifest does not tell about the channel 'id'");
   std::vector<taxonomy::Word> words;
@@ -306,7 +310,7 @@ Record read_record(const std::filesystem::path& path) {
           exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
     for (const TallySumFacts& facts : kTallySums)
       record.tally.*facts.field = exr::attribute<Imf::DoubleAttribute>(header, tally_name(facts.name));
-    record.words = read_words(header);
+    record.words = read_words(header, file_bytes);
     record.batch_means = read_batch_means(header, record.words.size());
     read_entries(Imf::DeepScanLineInputPart(file, 0), file_bytes, record);
     for (int number = 1; number < file.parts(); ++number)
