@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -26,11 +27,40 @@ inline void require(bool holds, const char* otherwise) {
   if (!holds) fail(otherwise);
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HECKBERT_IS_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HECKBERT_IS_SANITIZED 1
+#endif
+#endif
+/// Seconds that reading may take, of this program's own time: other work on the machine counts for nothing.
+#ifdef HECKBERT_IS_SANITIZED
+inline constexpr double kLongestReading = 15;
+#else
+inline constexpr double kLongestReading = 1;
+#endif
+
+/// Fails when its scope took longer than a reading may.
+class Clocked {
+ public:
+  Clocked() = default;
+  Clocked(const Clocked&) = delete;
+  Clocked& operator=(const Clocked&) = delete;
+  ~Clocked() {
+    require(static_cast<double>(std::clock() - begin_) < kLongestReading * CLOCKS_PER_SEC, "reading took too long");
+  }
+
+ private:
+  std::clock_t begin_ = std::clock();
+};
+
 /// What `read` gives, or nothing when the text is wrong. Fails when it throws anything but the user's errors, or an
-/// error that says nothing or points beside the text. What is done with the answer belongs outside: there an error is
-/// a finding.
+/// error that says nothing or points beside the text, or when it takes too long. What is done with the answer belongs
+/// outside: there an error is a finding.
 template <class Read>
 auto answer(Read read) -> std::optional<decltype(read())> {
+  const Clocked clocked;
   try {
     return read();
   } catch (const InputError& error) {

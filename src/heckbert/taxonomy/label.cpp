@@ -5,6 +5,15 @@
 
 namespace heckbert::taxonomy {
 
+namespace {
+
+// Control characters would tear a line of text apart; a label has blanks instead.
+char printable(char c) {
+  return static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+}
+
+}  // namespace
+
 std::optional<QuotedLabel> read_label(std::string_view text, std::size_t at) {
   const char quote = text[at];
   QuotedLabel read;
@@ -14,7 +23,7 @@ std::optional<QuotedLabel> read_label(std::string_view text, std::size_t at) {
       return read;
     }
     if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == quote || text[i + 1] == '\\')) ++i;
-    read.label += text[i];
+    read.label += printable(text[i]);
   }
   return std::nullopt;
 }
@@ -23,7 +32,7 @@ std::string write_label(std::string_view label) {
   std::string text = "'";
   for (const char c : label) {
     if (c == '\'' || c == '\\') text += '\\';
-    text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    text += printable(c);
   }
   return text + '\'';
 }
