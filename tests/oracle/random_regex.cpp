@@ -16,7 +16,7 @@ RegexPtr random_leaf(std::string_view letters, const Bits& bits) {
   if (bits() % 4 != 0) return make({Kind::Letter, letters[bits() % letters.size()], nullptr, nullptr});
   std::string chosen;
   for (const char letter : letters)
-    if (bits() % 2 == 0) chosen += letter;
+    if (bits() % 2 == 0 && chosen.find(letter) == std::string::npos) chosen += letter;
   if (chosen.empty()) chosen = letters.front();
   return make({.kind = Kind::Set, .letters = std::move(chosen)});
 }

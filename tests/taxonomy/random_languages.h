@@ -1,6 +1,7 @@
 #pragma once
 // Random expressions for rapidcheck, written as text, and their languages put together by the operations alone.
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 
@@ -16,21 +17,43 @@
 
 namespace heckbert::taxonomy {
 
-/// One letter of a random expression as the text writes it; small letters are events with a subscript.
-inline std::string letter_text(char c) {
-  return c == 'd' ? "Dr" : c == 's' ? "St" : std::string(1, c);
+/// One letter of a random expression: how the text writes it, and what it stands for.
+struct RandomLetter {
+  char code;
+  std::string_view text;
+  LetterSet set;
+};
+
+inline const std::vector<RandomLetter>& random_letters() {
+  static const std::vector<RandomLetter> letters{
+      {'D', "D", with_letter('D')},
+      {'G', "G", with_letter('G')},
+      {'S', "S", with_letter('S')},
+      {'V', "V", with_letter('V')},
+      {'d', "Dr", single(Symbol::Dr)},
+      {'s', "St", single(Symbol::St)},
+      {'a', "D'a'", LetterSet::labelled(with_letter('D'), "a")},
+      {'b', "'b'", LetterSet::labelled(kEvents, "b")},
+      {'u', "S''", LetterSet::labelled(with_letter('S'), "")},
+  };
+  return letters;
 }
 
-inline constexpr std::string_view kRandomLetters = "DGSVds";
-
-inline Language letter_language(char c) {
-  const std::string text = letter_text(c);
-  return Language::of(text.size() == 1 ? with_letter(text[0]) : single(*find_symbol(text[0], text[1])));
+inline const RandomLetter& random_letter(char code) {
+  return *std::find_if(random_letters().begin(), random_letters().end(),
+                       [code](const RandomLetter& l) { return l.code == code; });
 }
+
+/// Most letters drawn have no label, and labels are few, so that equal ones meet.
+inline constexpr std::string_view kRandomLetters = "DDGSSVdsabu";
 
 inline std::string text_of(const oracle::Regex& regex) {
   std::string text;
-  for (const char c : oracle::print(regex)) text += letter_text(c);
+  for (const char c : oracle::print(regex)) {
+    const auto letter = std::find_if(random_letters().begin(), random_letters().end(),
+                                     [c](const RandomLetter& l) { return l.code == c; });
+    text += letter == random_letters().end() ? std::string(1, c) : std::string(letter->text);
+  }
   return text;
 }
 
@@ -40,11 +63,11 @@ inline Language language_of(const oracle::Regex& regex) {
   const auto operand = [](const oracle::RegexPtr& child) { return language_of(*child); };
   switch (regex.kind) {
     case Kind::Letter:
-      return letter_language(regex.letter);
+      return Language::of(random_letter(regex.letter).set);
     case Kind::Set: {
-      Language any;
-      for (const char c : regex.letters) any = any | letter_language(c);
-      return any;
+      LetterSet any;
+      for (const char c : regex.letters) any |= random_letter(c).set;
+      return Language::of(any);
     }
     case Kind::Concat:
       return concat(operand(regex.left), operand(regex.right));
@@ -124,8 +147,8 @@ struct Arbitrary<heckbert::taxonomy::Paths> {
     const auto ends = [](const char* usual, std::vector<std::string> others) {
       return gen::weightedOneOf<std::string>({{2, gen::just(std::string(usual))}, {1, gen::elementOf(others)}});
     };
-    return gen::map(gen::tuple(ends("L", {"La", "Lp", "[LaLe]"}), gen::arbitrary<Events>(), ends("E", {"Ep", "El"}),
-                               gen::arbitrary<bool>()),
+    return gen::map(gen::tuple(ends("L", {"La", "Lp", "[LaLe]", "L'key'"}), gen::arbitrary<Events>(),
+                               ends("E", {"Ep", "El"}), gen::arbitrary<bool>()),
                     [](const std::tuple<std::string, Events, std::string, bool>& parts) {
                       const auto& [light, events, eye, from_eye] = parts;
                       return Paths{light, events.tree, eye, from_eye};
