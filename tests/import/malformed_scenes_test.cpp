@@ -243,7 +243,7 @@ TEST(MalformedScenes, FilesThatCannotBeReadSayWhy) {
     std::filesystem::path path;
     std::string message;
   } kRows[] = {{"/nowhere/at/all.json", "No such file"},
-               {folder.write("scene.txt", kGood), "expected .json or .obj"},
+               {folder.write("scene.txt", kGood), "expected .json, .obj or .xml"},
                {kSourceDir / "nowhere.obj", "No such file"}};
   for (const auto& row : kRows) {
     try {

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <heckbert/import/mitsuba_reader.h>
 #include <heckbert/import/obj_materials.h>
 #include <heckbert/import/scene_format.h>
 
@@ -19,7 +20,9 @@ struct Page {
   std::string (*reference)();
 };
 
-const Page kPages[] = {{"docs/scene-format.md", scene_format_reference}, {"docs/obj-import.md", obj_rule_reference}};
+const Page kPages[] = {{"docs/scene-format.md", scene_format_reference},
+                       {"docs/obj-import.md", obj_rule_reference},
+                       {"docs/mitsuba-import.md", mitsuba_plugin_reference}};
 
 constexpr std::string_view kBegin = "<!-- reference -->\n";
 constexpr std::string_view kEnd = "<!-- end of reference -->\n";

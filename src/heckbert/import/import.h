@@ -22,7 +22,8 @@ struct Imported {
   Account account;
 };
 
-/// Reads a scene by its ending: .json (docs/scene-format.md) or .obj (docs/obj-import.md).
+/// Reads a scene by its ending: .json (docs/scene-format.md), .obj (docs/obj-import.md) or .xml (Mitsuba's,
+/// docs/mitsuba-import.md).
 /// Errors: InputError with all errors of the file; ReadError when it cannot be read or the format is unknown.
 Imported load_scene(const std::filesystem::path& path);
 
@@ -40,5 +41,6 @@ Imported load_scene_or_builtin(const std::string& name_or_path);
 /// Reads the native format from memory. `source` names the text in errors; relative paths resolve against `directory`.
 Imported read_json_scene(std::string_view text, std::string_view source, const std::filesystem::path& directory);
 Imported read_obj_scene(const std::filesystem::path& path);
+Imported read_mitsuba_scene(const std::filesystem::path& path);
 
 }  // namespace heckbert::import

@@ -31,7 +31,10 @@ Imported load_scene(const std::filesystem::path& path) {
   if (ending == ".obj") {
     return named(read_obj_scene(path), path.stem().string());
   }
-  throw ReadError(path.string() + ": unknown kind of scene file, expected .json or .obj");
+  if (ending == ".xml") {
+    return read_mitsuba_scene(path);
+  }
+  throw ReadError(path.string() + ": unknown kind of scene file, expected .json, .obj or .xml");
 }
 
 Imported load_scene_or_builtin(const std::string& name_or_path) {

@@ -1,8 +1,11 @@
 #include <heckbert/import/mesh.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -28,6 +31,11 @@ Bounds bounds_of(const std::vector<transport::Shape>& shapes) {
     if (const auto* sphere = std::get_if<transport::Sphere>(&shape.geometry)) {
       add(sphere->center - sphere->radius);
       add(sphere->center + sphere->radius);
+    } else if (const auto* disk = std::get_if<transport::Disk>(&shape.geometry)) {
+      const glm::vec3 n = glm::normalize(disk->normal);
+      const glm::vec3 half = disk->radius * glm::sqrt(glm::max(1.0f - n * n, glm::vec3(0)));
+      add(disk->center - half);
+      add(disk->center + half);
     } else {
       for (const glm::vec3 p : std::get<Mesh>(shape.geometry).positions) {
         add(p);
@@ -53,6 +61,23 @@ void transform(Mesh& mesh, const glm::mat4& to_world) {
     for (glm::uvec3& t : mesh.triangles) {
       std::swap(t.y, t.z);
     }
+  }
+}
+
+void compute_normals(Mesh& mesh) {
+  mesh.normals.assign(mesh.positions.size(), glm::vec3(0));
+  for (const glm::uvec3 t : mesh.triangles) {
+    const glm::vec3 corner[] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+    const glm::vec3 normal = glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+    for (int i = 0; i < 3; ++i) {
+      const glm::vec3 a = glm::normalize(corner[(i + 1) % 3] - corner[i]);
+      const glm::vec3 b = glm::normalize(corner[(i + 2) % 3] - corner[i]);
+      mesh.normals[t[i]] += std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f)) * normal;
+    }
+  }
+  for (glm::vec3& n : mesh.normals) {
+    const float length = glm::length(n);
+    n = length > 0 ? n / length : glm::vec3(0, 0, 1);
   }
 }
 

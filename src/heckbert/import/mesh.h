@@ -22,6 +22,10 @@ Bounds bounds_of(const std::vector<transport::Shape>& shapes);
 /// Moves positions and normals. A transform that mirrors also reverses the corners, so that the front stays the front.
 void transform(transport::Mesh& mesh, const glm::mat4& to_world);
 
+/// Smooth normals: those of the triangles about each position, weighted by their angles there (Thürmer and Wüthrich
+/// 1998). Positions that no triangle uses get +z.
+void compute_normals(transport::Mesh& mesh);
+
 /// Adds the triangles of `more`. Normals and texture coordinates survive when both have them or `mesh` is empty.
 void append(transport::Mesh& mesh, const transport::Mesh& more);
 

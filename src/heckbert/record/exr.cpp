@@ -3,6 +3,7 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfStringVectorAttribute.h>
 #include <OpenEXR/ImfTestFile.h>
 #include <OpenEXR/ImfThreading.h>
 
@@ -31,6 +32,7 @@ constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{
 }};
 constexpr const char* kSeed = "heckbert.seed";  // as text: OpenEXR has no 64-bit attribute
 constexpr const char* kPartial = "heckbert.partial";
+constexpr const char* kIgnored = "heckbert.ignored";  // absent when there is nothing
 
 struct ColourChannel {
   const char* name;
@@ -63,6 +65,7 @@ Imf::Header header_for(const RenderInfo& info) {
   for (const auto& [name, field] : kNumbers) header.insert(name, Imf::IntAttribute(info.*field));
   header.insert(kSeed, Imf::StringAttribute(std::to_string(info.seed)));
   header.insert(kPartial, Imf::IntAttribute(info.partial ? 1 : 0));
+  if (!info.ignored.empty()) header.insert(kIgnored, Imf::StringVectorAttribute(info.ignored));
   return header;
 }
 
@@ -76,6 +79,7 @@ RenderInfo info_of(const Imf::Header& header) {
   for (const auto& [name, field] : kNumbers) info.*field = attribute<Imf::IntAttribute>(header, name);
   info.seed = parse_number(attribute<Imf::StringAttribute>(header, kSeed), kSeed);
   info.partial = attribute<Imf::IntAttribute>(header, kPartial) != 0;
+  if (header.find(kIgnored) != header.end()) info.ignored = attribute<Imf::StringVectorAttribute>(header, kIgnored);
   return info;
 }
 

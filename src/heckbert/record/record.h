@@ -40,6 +40,7 @@ struct RenderInfo {
   int max_depth = 0;     ///< most scatterings per path
   bool partial = false;  ///< interrupted: some pixels have no samples
   std::string version;   ///< of the tool
+  std::vector<std::string> ignored{};  ///< what the scene's file says and was not used, in sentences with their places
   bool operator==(const RenderInfo&) const = default;
 };
 

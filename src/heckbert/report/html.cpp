@@ -301,6 +301,14 @@ std::string non_path_section(const record::Record& record, float exposure, int w
                      figures);
 }
 
+/// What the importer left out of the scene; nothing when that is nothing.
+std::string ignored_list(const record::RenderInfo& info) {
+  if (info.ignored.empty()) return "";
+  std::string items;
+  for (const std::string& sentence : info.ignored) items += fmt::format("<li>{}</li>\n", escaped(sentence));
+  return fmt::format("<h3>What the scene file says and was not used</h3>\n<ul class=\"ignored\">\n{}</ul>\n", items);
+}
+
 std::string facts_section(const Coverage& coverage) {
   std::string items;
   for (const Fact& fact : facts(coverage.info, coverage.tally))
@@ -311,9 +319,10 @@ std::string facts_section(const Coverage& coverage) {
 {}<div><dt>Glossy rule</dt><dd>{}</dd></div>
 <div><dt>Intervals</dt><dd>{} confidence, from the spread of up to {} batches of samples</dd></div>
 </dl>
-</section>
+{}</section>
 )",
-                     items, escaped(describe(coverage.glossy_rule)), level(coverage.confidence), record::kBatches);
+                     items, escaped(describe(coverage.glossy_rule)), level(coverage.confidence), record::kBatches,
+                     ignored_list(coverage.info));
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ Json to_json(const record::RenderInfo& info) {
           {"seed", info.seed},
           {"max_depth", info.max_depth},
           {"partial", info.partial},
-          {"version", info.version}};
+          {"version", info.version},
+          {"ignored", info.ignored}};
 }
 
 Json to_json(const record::Tally& tally) {

@@ -23,6 +23,7 @@ Eye::Eye(const Camera& camera, int width, int height, const PixelFilter& filter)
   forward_ = glm::normalize(view);
   right_ = glm::normalize(side);
   up_ = glm::cross(right_, forward_);
+  if (camera.mirrored) right_ = -right_;
   const auto columns = static_cast<float>(width), rows = static_cast<float>(height);
   if (projection_ == Projection::Panoramic) {
     pixel_ = {2 * kPi / columns, -kPi / rows};

@@ -325,7 +325,8 @@ struct Camera {
   float lens_radius = 0;            ///< perspective
   float focus_distance = 1;         ///< distance along the viewing axis that is in focus; read when lens_radius > 0
   Projection projection = Projection::Perspective;
-  float height = 2;  ///< orthographic: of the picture, in scene units
+  float height = 2;       ///< orthographic: of the picture, in scene units
+  bool mirrored = false;  ///< left and right of the picture change places
 };
 
 enum class FilterKind : std::uint8_t { Box, Tent, Gaussian, BlackmanHarris };

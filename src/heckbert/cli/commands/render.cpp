@@ -44,7 +44,7 @@ struct RenderOptions {
 };
 
 void declare(CLI::App& command, RenderOptions& options) {
-  command.add_option("SCENE", options.scene, "built-in scene ('heckbert scene list'), .json or .obj file, or '-'")
+  command.add_option("SCENE", options.scene, "built-in scene ('heckbert scene list'), .json, .obj or .xml (Mitsuba) file, or '-'")
       ->required();
   command.add_option("-o,--output", options.output, "the picture and its class layers, as OpenEXR")
       ->type_name("FILE.exr");
@@ -209,6 +209,7 @@ ExitCode run(const RenderOptions& options) {
   Work work;
   record::Record record = trace(imported.scene, render, console, interrupt.stop(), work);
   record.info.scene = options.scene;
+  record.info.ignored = imported.account.ignored;
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   write_outputs(outputs, record, classes, settings);
   tell_result(console, record, work, classes);

@@ -53,7 +53,7 @@ struct CheckOptions {
 };
 
 void declare_check(CLI::App& command, CheckOptions& options) {
-  command.add_option("SCENE", options.scenes, "a .json or .obj file, or a built-in scene")->required();
+  command.add_option("SCENE", options.scenes, "a .json, .obj or .xml file, or a built-in scene")->required();
   command.add_flag("--json", options.json, "print the accounts as JSON");
   add_settings(command, options.flags, {});
 }
@@ -87,7 +87,7 @@ void add_scene(CLI::App& app, Run& chosen) {
   add_command<ListOptions>(*scene, chosen, "list", "The built-in scenes", "  heckbert scene list\n", declare_list,
                            run_list);
   add_command<CheckOptions>(*scene, chosen, "check", "What an import understood, guessed and ignored",
-                            "  heckbert scene check room.obj lamp.json\n", declare_check, run_check);
+                            "  heckbert scene check room.obj lamp.json mitsuba.xml\n", declare_check, run_check);
 }
 
 }  // namespace heckbert::cli
