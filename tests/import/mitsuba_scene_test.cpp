@@ -11,6 +11,7 @@
 #include <heckbert/import/mitsuba_reader.h>
 #include <heckbert/import/spectrum_colour.h>
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/transport/texture.h>
 
 #include "test_files.h"
 
@@ -287,6 +288,21 @@ TEST(MitsubaTexture, ChecksAreScaledAndMultiplyTheLobe) {
   ASSERT_EQ(m.textures.size(), 1u);
   EXPECT_EQ(m.textures[0].parameter, LobeTexture::Parameter::Colour);
   EXPECT_EQ(std::get<Lambert>(m.lobes[0]).albedo, Rgb(1));
+}
+
+// v runs downwards in Mitsuba's pictures; OBJ files, whose v runs upwards, are turned round when they are read.
+TEST(MitsubaTexture, PicturesStandUpright) {
+  const TemporaryFolder folder;
+  // Two rows of one pixel, TGA without compression, from the top: red above blue.
+  folder.write("two.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\2\0\x18\x20\0\0\xff\xff\0\0", 24));
+  const Imported imported = load_scene(folder.write(
+      "room.xml",
+      "<scene version=\"3.0.0\"><shape type=\"rectangle\"><bsdf type=\"diffuse\"><texture type=\"bitmap\" "
+      "name=\"reflectance\"><string name=\"filename\" value=\"two.tga\"/></texture></bsdf></shape></scene>"));
+  const Texture& texture = imported.scene.textures.at(0);
+  const auto at = [&](float v) { return look_up(texture, glm::vec2(0.5f, v)); };
+  EXPECT_GT(at(0.25f).r, at(0.25f).b) << "the top";
+  EXPECT_GT(at(0.75f).b, at(0.75f).r) << "the bottom";
 }
 
 // ---- shapes ---------------------------------------------------------------------------------------------------------

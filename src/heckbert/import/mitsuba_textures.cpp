@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include <heckbert/import/picture_file.h>
 #include <heckbert/import/words.h>
+#include <heckbert/taxonomy/error.h>
 
 namespace heckbert::import {
 namespace {
@@ -23,12 +25,35 @@ std::optional<Draft> read_checkerboard(MitsubaObject& o, TextureUse) {
   return out;
 }
 
+/// Pictures follow the sRGB curve unless they are data, `raw`, or of gamma 1 in old files.
+std::optional<Draft> read_bitmap(MitsubaObject& o, TextureUse use) {
+  const bool linear = o.flag("raw", use == TextureUse::Data) || o.number("gamma", 0) == 1;
+  if (const std::string wrap = o.text("wrap_mode", "repeat"); wrap != "repeat") {
+    o.in().ignored(o.place(), o.describe() + ": wrap_mode \"" + wrap + "\" is not read, the picture is repeated");
+  }
+  o.skip({"filter_type", "max_anisotropy", "cache"});
+  const std::filesystem::path path = o.file("filename");
+  if (path.empty()) {
+    return {};
+  }
+  try {
+    Draft out;
+    out.texture.source = read_picture(path, !linear);
+    out.from_top = true;
+    return out;
+  } catch (const ReadError& problem) {
+    o.in().error(o.place(), problem.what());
+  }
+  return {};
+}
+
 struct TextureKind {
   std::string_view type, meaning;
   std::optional<Draft> (*read)(MitsubaObject&, TextureUse);
 };
 
 constexpr TextureKind kTextures[] = {
+    {"bitmap", "a picture, repeated and filtered bilinearly: PNG, JPEG, BMP, TGA, HDR or EXR", read_bitmap},
     {"checkerboard", "squares of two colours", read_checkerboard},
 };
 
