@@ -223,8 +223,8 @@ double facet_albedo(const Microfacets& facets, glm::dvec3 o, double eta, bool co
   return sum / (kRadii * kAngles);
 }
 
-// White furnace. Light that meets a second facet is lost, more of it the rougher the surface (a fifth at alpha 0.6 and
-// more at grazing angles); what is left must be just what single scattering leaves.
+// White furnace. Light that meets a second facet is lost, more of it the rougher the surface (a hundredth at alpha 0.1 head
+// on, two fifths at 0.6); what is left must be just what single scattering leaves.
 TEST(Microfacets, LoseInTheFurnaceWhatSingleScatteringLoses) {
   using enum Microfacets::Distribution;
   for (const Microfacets facets : {Microfacets{0.6f, 0.6f}, {0.1f, 0.1f}, {0.5f, 0.1f}, {0.5f, 0.2f, Beckmann}})
