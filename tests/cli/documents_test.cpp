@@ -124,6 +124,10 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       folder.write("room.obj", "mtllib room.mtl\nusemtl lamp\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::vector<std::vector<std::string>> commands{
       {"render", room, "--record", record, "--size", "16x16", "--spp", "4", "--lpe", "LE", "--json"},
+      {"coverage", record, "--json"},
+      {"query", record, "LE", "--json"},
+      {"classify", record, "--json"},
+      {"report", record, "-o", (folder / "a.html").string(), "--json"},
       {"render", "lecture", "--record", record, "--size", "16x16", "--spp", "4", "--json"},
       {"coverage", record, "--grammar", "all", "--json"},
       {"query", record, "LDE", "--json"},

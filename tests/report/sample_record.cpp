@@ -43,7 +43,8 @@ record::Record sample_record(int width, int height, const std::vector<SampleWord
                  .seed = 7,
                  .max_depth = 32,
                  .partial = false,
-                 .version = "0.0.0"};
+                 .version = "0.0.0",
+                 .ignored = {"sample.xml:7: <medium> is not read"}};
   record.tally.samples = record.info.window.pixel_count() * static_cast<std::size_t>(record.info.samples_per_pixel);
   for (const auto& [word, sample] : sorted) {
     record.words.push_back(word);
