@@ -151,6 +151,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       {"grammar", "strategies", "LDE", "--json"},
       {"grammar", "lattice", "LDE", "L.E", "--json"},
       {"grammar", "phases", "LDE", "--json"},
+      {"grammar", "errors", "HB101", "--json"},
       {"scene", "list", "--json"},
       {"scene", "check", room, "--json"}};
   std::map<std::string, Keys> written;

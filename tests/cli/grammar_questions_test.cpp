@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <heckbert/record/file.h>
+
 #include "cli/run.h"
 
 namespace heckbert::cli::testing {
@@ -36,7 +38,7 @@ TEST(GrammarPartition, AnswersWithOverlapsAndTheGap) {
       {{"disjoint", "LDE", "LGE", "--glossy", "diffuse"},
        0,
        "yes\n",
-       "'LGE' can never match, because it has no word at all\n"},
+       "'LGE' can never match, because all its words have G, and --glossy diffuse reads that as another letter\n"},
       {{"partition", "emission", "@direct", "indirect"}, 0, "yes\n"},
       {{"partition", "LE", "LDE", "L.E"}, 1, "no\nLDE is in both LDE and L.E\nLDDE is in none\n"},
       {{"partition", "LE", "LDX*E", "L[^D].*E"}, 1, "no\nLDVE is in none\n"},
@@ -45,7 +47,7 @@ TEST(GrammarPartition, AnswersWithOverlapsAndTheGap) {
       {{"partition", "LDE", "--within", "LDE & LSE"},
        0,
        "yes\n",
-       "'LDE & LSE' can never match, because it has no word at all\n"},
+       "'LDE & LSE' can never match, because every path of 'LDE' has no event but D, and every path of 'LSE' has S\n"},
   });
 }
 
@@ -125,7 +127,7 @@ TEST(GrammarMinimize, PrintsAnExpression) {
       {{"minimize", "LGE", "--glossy", "specular"},
        0,
        "L E - L E\n",
-       "'LGE' can never match, because it has no word at all\n"},
+       "'LGE' can never match, because all its words have G, and --glossy diffuse reads that as another letter\n"},
   });
 }
 
@@ -170,7 +172,73 @@ TEST(Match, SaysWhenNothingCanEverMatch) {
   const Outcome outcome = run({"match", "LDE & LSE", "LDE"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, "no  LDE\n");
-  EXPECT_EQ(outcome.err, "'LDE & LSE' can never match, because it has no word at all\n");
+  EXPECT_EQ(
+      outcome.err,
+      "'LDE & LSE' can never match, because every path of 'LDE' has no event but D, and every path of 'LSE' has S\n");
+}
+
+TEST(GrammarPhases, AreShownForNamesFilesAndOtherDialects) {
+  const Outcome named = run({"grammar", "phases", "whitted"});
+  EXPECT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_THAT(named.out, HasSubstr("L N? S* E, for lights that a ray can hit, La and Le\n\nTree\nsequence\n  L\n"));
+  EXPECT_THAT(named.out, HasSubstr("L N S* E, for lights that no ray can hit, Lp and Ld\n"));
+  EXPECT_EQ(run({"grammar", "phases", "@whitted"}).out, named.out);
+  const TemporaryFolder folder;
+  const std::string file = folder.write("x.grammar",
+                                        "kind: class\nname: x\ntitle: x\norder: 1\nsource: ours\n"
+                                        "expression: L D* E\n");
+  EXPECT_THAT(run({"grammar", "phases", file}).out, HasSubstr("Letters of L D* E, and which may follow\n"));
+  const Outcome osl = run({"grammar", "phases", "CD|SO", "--dialect", "osl"});
+  EXPECT_EQ(osl.exit_code, 0) << osl.err;
+  EXPECT_THAT(osl.out, HasSubstr("Minimal: 4 states\n0 -La-> 1\n1 -[DS]-> 2\n2 -E-> 3\n3 accepts\n"));
+  EXPECT_EQ(run({"grammar", "phases", "metropolis"}).exit_code, 3);
+}
+
+TEST(GrammarErrors, AreExplainedByTheirCode) {
+  const Outcome one = run({"grammar", "errors", "hb210"});
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_EQ(one.out,
+            "HB210: repetition that the dialect lacks\n"
+            "  Not every renderer has '?' and counts. grammar translate writes such an expression out.\n"
+            "  For example, as osl: CD?L\n");
+  const Outcome all = run({"grammar", "errors"});
+  EXPECT_THAT(all.out, HasSubstr("HB101"));
+  EXPECT_THAT(all.out, HasSubstr("HB603"));
+  EXPECT_THAT(run({"match", "CD?L", "LDE", "--dialect", "osl"}).err, HasSubstr("error: OSL has no '?' [HB210]\n"));
+  const Outcome none = run({"grammar", "errors", "HB10"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("there is no error 'HB10'; did you mean 'HB101'?"));
+}
+
+TEST(Query, SaysWhyNothingInTheRecordMatches) {
+  const TemporaryFolder folder;
+  const std::string record = (folder / "a.paths.exr").string(), picture = (folder / "a.exr").string();
+  ASSERT_EQ(
+      run({"render", "lecture", "--size", "16x16", "--spp", "4", "--max-depth", "3", "--record", record}).exit_code, 0);
+  struct Case {
+    const char* expression;
+    const char* said;
+  };
+  for (const Case& c :
+       {Case{"LVE",
+             "'LVE' matches nothing in this record, because all its words have V, and the only "
+             "events are "},
+        Case{"LeDE",
+             "'LeDE' matches nothing in this record, because its words begin at Le, and the only "
+             "lights are "},
+        Case{"LD{5}E", "the shortest of its words, LDDDDDE, has 5 scatterings, and the depth allows 3\n"},
+        Case{"LDE & LSE", "'LDE & LSE' can never match, because every path of 'LDE' has no event but D"}}) {
+    const Outcome outcome = run({"query", record, c.expression, "-o", picture});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(c.said));
+  }
+  const Outcome osl = run({"query", record, "CD[LOB]", "--dialect", "osl", "-o", picture});
+  EXPECT_EQ(osl.err, "");
+  const std::map<std::string, std::string> attributes = record::read_layers(picture).at(0).attributes;
+  EXPECT_EQ(attributes.at("expression"), "CD[LOB]");
+  EXPECT_EQ(attributes.at("dialect"), "osl");
+  EXPECT_EQ(attributes.at("canonical"), "L D E");
+  EXPECT_EQ(attributes.at("glossy"), "keep");
 }
 
 }  // namespace

@@ -71,6 +71,7 @@ inline const std::vector<std::vector<std::string>> kCommands{{"render"},
                                                              {"grammar", "strategies"},
                                                              {"grammar", "lattice"},
                                                              {"grammar", "phases"},
+                                                             {"grammar", "errors"},
                                                              {"scene", "list"},
                                                              {"scene", "check"}};
 

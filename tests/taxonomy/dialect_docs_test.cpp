@@ -1,26 +1,19 @@
-// docs/dialects.md: its tables are made from the table of dialects and by the writer. HECKBERT_UPDATE_DOCS=1 in the
-// environment of this test writes them anew.
+// docs/dialects.md: its table is made from the table of dialects. HECKBERT_UPDATE_DOCS=1 in the environment of this
+// test writes it anew.
 
-#include <cstdlib>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include <heckbert/taxonomy/dialect.h>
 
+#include "taxonomy/markdown.h"
+
 namespace heckbert::taxonomy {
 namespace {
 
-constexpr const char* kFile = HECKBERT_SOURCE_DIR "/docs/dialects.md";
-
-std::string code(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
-  return "`" + escaped + "`";
-}
+using markdown::code;
 
 std::string yes_or_no(bool yes) {
   return yes ? "yes" : "no";
@@ -83,32 +76,8 @@ const std::vector<Row> kFacts{
     {"prefixes", [](const DialectFacts& d) { return d.prefixes.empty() ? "none" : code(d.prefixes); }},
 };
 
-struct Idea {
-  const char* title;
-  const char* expression;
-};
-constexpr Idea kIdeas[] = {
-    {"everything", "L.*E"},
-    {"the light itself", "LE"},
-    {"direct diffuse", "LDE"},
-    {"ray casting", "LD?E"},
-    {"radiosity", "LD*E"},
-    {"Whitted", "LD?S*E"},
-    {"Whitted, every gloss a mirror", "LD?[GS]*E"},
-    {"caustic", "LS+DE"},
-    {"caustic, glossy casters too", "L[GS]+DE"},
-    {"indirect diffuse", "L.+DE"},
-    {"colour bleeding", "LDD+E"},
-    {"through two glass walls", "L . StSt E"},
-    {"seen through glass, glossy too", "L . [GtSt]+ E"},
-    {"in a medium", "L V+ E"},
-    {"sky light", "Le D* E"},
-    {"exactly two bounces", "L .. E"},
-    {"at most three diffuse bounces", "L D{0,3} E"},
-};
-
-std::string header(const char* first) {
-  std::string line = std::string("| ") + first, rule = "|---";
+std::string header() {
+  std::string line = "| ", rule = "|---";
   for (const DialectFacts& d : kDialects) {
     line += " | " + std::string(d.title);
     rule += "|---";
@@ -117,7 +86,7 @@ std::string header(const char* first) {
 }
 
 std::string facts_table() {
-  std::string table = header("");
+  std::string table = header();
   for (const Row& row : kFacts) {
     table += std::string("| ") + row.title;
     for (const DialectFacts& d : kDialects) table += " | " + row.cell(d);
@@ -126,34 +95,10 @@ std::string facts_table() {
   return table;
 }
 
-std::string ideas_table() {
-  std::string table = header("idea");
-  for (const Idea& idea : kIdeas) {
-    table += std::string("| ") + idea.title;
-    for (const DialectFacts& d : kDialects) {
-      const std::string text = translate(idea.expression, Dialect::Heckbert, d.dialect).writing.text;
-      table += " | " + (text.empty() ? "–" : code(text));
-    }
-    table += " |\n";
-  }
-  return table;
-}
-
-// The text between "<!-- name -->" and "<!-- end -->" replaced.
-std::string with_table(const std::string& page, const std::string& name, const std::string& table) {
-  const std::string begin = "<!-- " + name + ", generated -->\n", end = "<!-- end -->";
-  const std::size_t from = page.find(begin);
-  const std::size_t to = from == std::string::npos ? from : page.find(end, from);
-  if (to == std::string::npos) return "no place for the table '" + name + "'";
-  return page.substr(0, from + begin.size()) + table + page.substr(to);
-}
-
 TEST(DialectsPage, ShowsTheTableOfDialects) {
-  std::ifstream in(kFile);
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
-  const std::string expected = with_table(with_table(page, "facts", facts_table()), "ideas", ideas_table());
-  if (std::getenv("HECKBERT_UPDATE_DOCS") != nullptr) std::ofstream(kFile) << expected;
-  EXPECT_EQ(page, expected) << "write it anew: HECKBERT_UPDATE_DOCS=1 taxonomy_unit_test";
+  const std::filesystem::path page = HECKBERT_SOURCE_DIR "/docs/dialects.md";
+  markdown::expect_page(page, markdown::with_generated(markdown::file_text(page), "facts", facts_table()),
+                        "taxonomy_unit_test");
 }
 
 }  // namespace

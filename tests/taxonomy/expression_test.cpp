@@ -80,10 +80,10 @@ const std::vector<Malformed>& malformed() {
       {"ldse", {{1, 1, 4, "small letters are subscripts", "did you mean 'LDSE'?"}}},
       {"LsE", {{1, 1, 2, "'Ls' is no letter; expected L alone, or La, Lp, Ld, Le", "did you mean 'LS'?"}}},
       {"LDxE", {{1, 2, 2, "'Dx' is no letter; expected D alone, or Dr, Dt", "did you mean 'DX'?"}}},
-      {"LXrE", {{1, 2, 2, "X has no subscripts", "did you mean '[DrGrSr]'?"}}},
-      {"L.tE", {{1, 2, 2, ". has no subscripts", "did you mean '[DtGtSt]'?"}}},
-      {"LVrE", {{1, 2, 2, "V has no subscripts", ""}}},
-      {"CpDL", {{1, 1, 2, "C has no subscripts", "did you mean 'Ep'?"}}},
+      {"LXrE", {{1, 2, 2, "'Xr' is no letter; expected X without a subscript", "did you mean '[DrGrSr]'?"}}},
+      {"L.tE", {{1, 2, 2, "'.t' is no letter; expected . without a subscript", "did you mean '[DtGtSt]'?"}}},
+      {"LVrE", {{1, 2, 2, "expected V without a subscript", ""}}},
+      {"CpDL", {{1, 1, 2, "expected C without a subscript", "did you mean 'Ep'?"}}},
       {"LRE", {{1, 2, 1, "reflection is a subscript", "Dr, Gr or Sr"}}},
       {"CDB", {{1, 3, 1, "the background", "Le"}}},
       {"L\xD0\x95", {{1, 2, 1, "a Cyrillic letter that looks like E", "did you mean 'E'?"}}},
@@ -98,7 +98,7 @@ const std::vector<Malformed>& malformed() {
        {{1, 2, 1, "full-width", "did you mean 'D'?"}}},
       // Sets.
       {"L[]E", {{1, 2, 2, "an empty set", ""}}},
-      {"L[^DGSV]E", {{1, 2, 7, "nothing is left", ""}}},
+      {"L[^DGSV]E", {{1, 2, 7, "an empty set; expected [^ ] to leave some", ""}}},
       {"L[^]E", {{1, 2, 3, "an empty set", "'.'"}}},
       {"L[^L]E", {{1, 4, 1, "an end inside [^ ]", "[LaLe]"}}},
       {"L[DS", {{1, 2, 1, "'[' is never closed", ""}}},
@@ -107,8 +107,8 @@ const std::vector<Malformed>& malformed() {
       {"L[DdS]E", {{1, 3, 2, "'Dd' is no letter", "'DD'"}}},
       // Counts.
       {"LD{3,2}E", {{1, 3, 5, "the least number of this count exceeds the greatest", "did you mean '{2,3}'?"}}},
-      {"LD{,3}E", {{1, 3, 4, "without its least number", "did you mean '{0,3}'?"}}},
-      {"LD{}E", {{1, 3, 2, "without its least number", ""}}},
+      {"LD{,3}E", {{1, 3, 4, "a count is written", "did you mean '{0,3}'?"}}},
+      {"LD{}E", {{1, 3, 2, "a count is written", ""}}},
       {"LD{two}E", {{1, 3, 5, "a count is written {n}, {n,} or {n,m}", ""}}},
       {"LD{2E", {{1, 3, 1, "'{' is never closed", ""}}},
       {"LD{99999999999999999999}E", {{1, 3, 22, "a count above 10000", ""}}},
@@ -126,13 +126,13 @@ const std::vector<Malformed>& malformed() {
       {"LDE &", {{1, 5, 1, "expected a whole expression after '&'", ""}}},
       {"- LDE", {{1, 1, 1, "expected a whole expression before '-'", ""}}},
       {"!", {{1, 1, 1, "expected a whole expression after '!'", ""}}},
-      {"L!SE", {{1, 2, 1, "'!' complements a whole expression", "[^S]"}}},
+      {"L!SE", {{1, 2, 1, "'!' works on whole paths", "[^S]"}}},
       // Set operators and names inside a word.
-      {"L(D&S)E", {{1, 2, 5, "'&' intersects whole paths", "(L..E) & (L..E)"}}},
-      {"L(D-S)E", {{1, 2, 5, "'-' subtracts whole paths", "[^S]"}}},
-      {"L(!S)E", {{1, 2, 4, "'!' complements whole paths", "[^S]"}}},
-      {"L@causticE", {{1, 2, 9, "a name stands for whole paths", "| & - !"}}},
-      {"@caustic*", {{1, 1, 8, "a name stands for whole paths", ""}}},
+      {"L(D&S)E", {{1, 2, 5, "'&' works on whole paths", "(L..E) & (L..E)"}}},
+      {"L(D-S)E", {{1, 2, 5, "'-' works on whole paths", "[^S]"}}},
+      {"L(!S)E", {{1, 2, 4, "'!' works on whole paths", "[^S]"}}},
+      {"L@causticE", {{1, 2, 9, "'@causticE' works on whole paths", "| & - !"}}},
+      {"@caustic*", {{1, 1, 8, "'@caustic' works on whole paths", ""}}},
       {"@whited", {{1, 1, 7, "no class or algorithm is called 'whited'", "did you mean '@whitted'?"}}},
       {"@caustic-LDE", {{1, 1, 12, "no class or algorithm is called", "did you mean '@caustic - LDE'?"}}},
       {"@ LDE", {{1, 1, 1, "'@' without a name", ""}}},
@@ -140,12 +140,12 @@ const std::vector<Malformed>& malformed() {
       {"C<RD>L", {{1, 2, 4, "'<..>' groups", "did you mean 'Dr'?"}}},
       {"C<.S>+L", {{1, 2, 4, "'<..>' groups", "did you mean 'S'?"}}},
       {"C<R.>L", {{1, 2, 4, "'<..>' groups", "did you mean '[DrGrSr]'?"}}},
-      {"CD'key", {{1, 3, 1, "a label that is never closed", ""}}},
+      {"CD'key", {{1, 3, 1, "the label is never closed", ""}}},
       {"LDE'key'", {{1, 4, 5, "the eye has no label", ""}}},
       {"L[D'a']'b'E", {{1, 8, 3, "none of the letters before this label has it", ""}}},
       {"L[^LaDp'a']E", {{1, 6, 2, "'Dp' is no letter", ""}}},
       {"[^L'a'D]DE", {{1, 3, 4, "an end inside [^ ]", "[LaLe]"}}},
-      {"^LDE", {{1, 1, 1, "'^' negates only inside brackets", "'!'"}}},
+      {"^LDE", {{1, 1, 1, "'^' is no operator here", "'!'"}}},
       // Ends.
       {"S+D", {{1, 1, 3, "no light end L and no eye end E", "did you mean 'L S+D E'?"}}},
       {"LDS", {{1, 1, 3, "no eye end E", "did you mean 'LDS E'?"}}},
@@ -160,11 +160,11 @@ const std::vector<Malformed>& malformed() {
       {"LD(E|S)SE", {{1, 4, 1, "'E' is an end in the middle", ""}}},
       {"L+DE", {{1, 1, 1, "'L' is an end in the middle", ""}}},
       {"(LDE)+", {{1, 2, 1, "'L' is an end in the middle", ""}, {1, 4, 1, "'E' is an end in the middle", ""}}},
-      {"L?DE", {{1, 3, 1, "'D' can begin a path here; expected L", ""}}},
-      {"L(E|D+)", {{1, 5, 1, "'D' can end a path here; expected E", ""}}},
-      {"(L|D+)E", {{1, 4, 1, "'D' can begin a path here; expected L", ""}}},
-      {"(L|S)DE", {{1, 4, 1, "'S' can begin a path here", ""}}},
-      {"LD(E|S)", {{1, 6, 1, "'S' can end a path here; expected E", ""}}},
+      {"L?DE", {{1, 3, 1, "'D' at the beginning of a path; expected L", ""}}},
+      {"L(E|D+)", {{1, 5, 1, "'D' at the end of a path; expected E", ""}}},
+      {"(L|D+)E", {{1, 4, 1, "'D' at the beginning of a path; expected L", ""}}},
+      {"(L|S)DE", {{1, 4, 1, "'S' at the beginning of a path", ""}}},
+      {"LD(E|S)", {{1, 6, 1, "'S' at the end of a path; expected E", ""}}},
       {"L[DE]E", {{1, 2, 4, "'[DE]' is an end in the middle", ""}}},
       {"LDE - S+D", {{1, 7, 3, "no light end L and no eye end E", "'L S+D E'"}}},
       // Several, in several lines.
@@ -187,6 +187,7 @@ TEST(ExpressionErrors, AreAllFoundWithPlaceAndSuggestion) {
         const Expected& x = m.errors[i];
         EXPECT_EQ(std::tuple(d.line, d.column, d.length), std::tuple(x.line, x.column, x.length)) << e.what();
         EXPECT_NE(d.message.find(x.message), std::string::npos) << e.what();
+        EXPECT_FALSE(d.code.empty()) << e.what();
         EXPECT_NE(d.suggestion.find(x.suggestion), std::string::npos) << e.what();
         EXPECT_EQ(d.source, "expression");
       }

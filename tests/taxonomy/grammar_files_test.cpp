@@ -13,8 +13,14 @@
 #include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/spectrum.h>
 
+#include "taxonomy/markdown.h"
+
 namespace heckbert::taxonomy {
 namespace {
+
+using markdown::file_text;
+using markdown::table;
+using markdown::text_of_code;
 
 const Language& named(std::string_view name) {
   const Grammar* grammar = builtin_grammars().find(name);
@@ -24,12 +30,6 @@ const Language& named(std::string_view name) {
 
 Language read(std::string_view text) {
   return compile(text, builtin_grammars().names());
-}
-
-std::string file_text(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  EXPECT_TRUE(in) << path;
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(ShippedGrammars, AreListedInTheOrderOfTeaching) {
@@ -233,95 +233,37 @@ TEST(Spectrum, FurnaceEnergyEqualsItsClosedForm) {
 
 // --- grammar/README.md ---
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
-// The cells of a table row, without the bars and back quotes of the markup.
-std::vector<std::string> cells(const std::string& row) {
-  std::vector<std::string> list;
-  std::string cell;
-  for (std::size_t i = 1; i < row.size(); ++i) {
-    if (row[i] == '\\' && i + 1 < row.size() && row[i + 1] == '|') continue;
-    if (row[i] == '|' && row[i - 1] != '\\') {
-      list.push_back(trimmed(cell));
-      cell.clear();
-    } else {
-      cell += row[i];
-    }
-  }
-  return list;
-}
-
-std::string code(const std::string& cell) {
-  EXPECT_TRUE(cell.size() > 2 && cell.front() == '`' && cell.back() == '`') << cell;
-  return cell.substr(1, cell.size() - 2);
-}
-
-// The rows of the table of grammar/README.md whose header is this.
-std::vector<std::vector<std::string>> table(const std::string& header) {
-  std::istringstream readme(file_text(std::filesystem::path(HECKBERT_GRAMMAR_DIR) / "README.md"));
-  std::vector<std::vector<std::string>> rows;
-  std::string line;
-  while (std::getline(readme, line) && line != header) continue;
-  std::getline(readme, line);  // the rule under the header
-  while (std::getline(readme, line) && line.starts_with("|")) rows.push_back(cells(line));
-  EXPECT_FALSE(rows.empty()) << header;
-  return rows;
-}
-
-TEST(GrammarReadme, TablesOfSyntaxMatchTheParser) {
-  std::size_t rows = 0;
-  for (const char* first : {"letter", "operator"})
-    for (const auto& row : table(std::string("| ") + first + " | meaning | example | matches | does not match |")) {
-      ASSERT_EQ(row.size(), 5u) << row[0];
-      const Language language = read(code(row[2]));
-      EXPECT_TRUE(language.contains(parse_word(code(row[3])))) << row[0];
-      EXPECT_FALSE(language.contains(parse_word(code(row[4])))) << row[0];
-      ++rows;
-    }
-  EXPECT_EQ(rows, 25u);
-}
-
-TEST(GrammarReadme, TableOfPrecedenceMatchesTheParser) {
-  for (const auto& row : table("| written | reads as |")) {
-    if (row[1].empty())
-      EXPECT_THROW(read(code(row[0])), InputError) << row[0];
-    else
-      EXPECT_EQ(read(code(row[0])), read(code(row[1]))) << row[0];
-  }
-}
+const std::filesystem::path kReadme = std::filesystem::path(HECKBERT_GRAMMAR_DIR) / "README.md";
 
 TEST(GrammarReadme, ListsWhatIsShipped) {
   const auto& grammars = builtin_grammars().grammars;
   std::size_t i = 0;
   for (const char* header : {"| teaching set | no. | lights hit | other lights |",
                              "| further algorithm | no. | lights hit | other lights |"})
-    for (const auto& row : table(header)) {
+    for (const auto& row : table(kReadme, header)) {
       const Grammar& g = grammars.at(i++);
-      EXPECT_EQ(code(row[0]), g.name);
+      EXPECT_EQ(text_of_code(row[0]), g.name);
       EXPECT_EQ(row[1], std::to_string(g.number.value_or(0))) << g.name;
-      EXPECT_EQ(code(row[2]), g.expression);
-      EXPECT_EQ(code(row[3]), g.expression_delta) << g.name;
+      EXPECT_EQ(text_of_code(row[2]), g.expression);
+      EXPECT_EQ(text_of_code(row[3]), g.expression_delta) << g.name;
     }
-  for (const auto& row : table("| no language | no. | kind | host |")) {
+  for (const auto& row : table(kReadme, "| no language | no. | kind | host |")) {
     const Grammar& g = grammars.at(i++);
-    EXPECT_EQ(code(row[0]), g.name);
+    EXPECT_EQ(text_of_code(row[0]), g.name);
     EXPECT_EQ(row[1], std::to_string(g.number.value_or(0))) << g.name;
-    EXPECT_EQ(code(row[2]), facts(g.kind).name) << g.name;
-    EXPECT_EQ(row[3].empty() ? "" : code(row[3]), g.host) << g.name;
+    EXPECT_EQ(text_of_code(row[2]), facts(g.kind).name) << g.name;
+    EXPECT_EQ(row[3].empty() ? "" : text_of_code(row[3]), g.host) << g.name;
   }
-  for (const auto& row : table("| class | expression |")) {
+  for (const auto& row : table(kReadme, "| class | expression |")) {
     const Grammar& g = grammars.at(i++);
-    EXPECT_EQ(code(row[0]), g.name);
-    EXPECT_EQ(code(row[1]), g.expression);
+    EXPECT_EQ(text_of_code(row[0]), g.name);
+    EXPECT_EQ(text_of_code(row[1]), g.expression);
   }
   EXPECT_EQ(i, grammars.size());
 }
 
 TEST(GrammarReadme, ExampleFileIsRead) {
-  const std::string readme = file_text(std::filesystem::path(HECKBERT_GRAMMAR_DIR) / "README.md");
+  const std::string readme = file_text(kReadme);
   const std::string fence = "```grammar\n";
   const std::size_t begin = readme.find(fence) + fence.size();
   const Grammar g =

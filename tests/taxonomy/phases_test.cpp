@@ -47,14 +47,16 @@ TEST(Phases, HaveTheLanguageOfTheExpressionAtEveryStage) {
     for (const auto& regex : oracle::all_of_size(size, "DS")) {
       const std::string text = "L(" + oracle::print(*regex) + ")E";
       const Phases found = phases(text);
-      ASSERT_EQ(found.parts.size(), 1u) << text;
-      ASSERT_EQ(language_of(found.parts[0].subsets), compile(text)) << text << "\n" << found.parts[0].subsets;
-      ASSERT_LE(found.states, found.parts[0].deterministic) << text;
+      ASSERT_EQ(found.forms.size(), 1u) << text;
+      const std::vector<PartPhases>& parts = found.forms[0].parts;
+      ASSERT_EQ(parts.size(), 1u) << text;
+      ASSERT_EQ(language_of(parts[0].subsets), compile(text)) << text << "\n" << parts[0].subsets;
+      ASSERT_LE(found.states, parts[0].deterministic) << text;
     }
 }
 
 TEST(Phases, AreShownForEachPartOfAnExpression) {
-  const Phases found = phases("LDD?E - E[DS]L");
+  const FormPhases found = phases("LDD?E - E[DS]L").forms.at(0);
   EXPECT_EQ(found.tree,
             "first without second\n"
             "  sequence\n    L\n    D\n    repeat 0 to 1\n      D\n    E\n"
@@ -67,6 +69,34 @@ TEST(Phases, AreShownForEachPartOfAnExpression) {
   EXPECT_EQ(found.parts[1].subsets, "{0} -L-> {1}\n{1} -[DS]-> {2}\n{2} -E-> {3}\n{3} accepts\n");
   EXPECT_THROW(phases("LD{300}E"), LimitError);
   EXPECT_THROW(phases("LDDL"), InputError);
+}
+
+TEST(Phases, OfOtherDialectsAreShownInOurLettersFromTheLight) {
+  const Phases found = phases("CD|S<TG>O", Dialect::Osl);
+  const FormPhases& form = found.forms.at(0);
+  EXPECT_EQ(form.tree, "sequence\n  E\n  one of\n    D\n    S\n  Gt\n  La\n");
+  ASSERT_EQ(form.parts.size(), 1u);
+  EXPECT_EQ(form.parts[0].expression, "CD|S<TG>O");
+  EXPECT_EQ(language_of(form.parts[0].subsets), compile("LaGt[DS]E"));
+  const Phases operators = phases("CDO | ^LE", Dialect::VRay);
+  EXPECT_EQ(operators.forms.at(0).parts.size(), 2u);
+  EXPECT_EQ(phases("E D La", Dialect::Iray).minimal, phases("LaDE").minimal);
+  EXPECT_THROW(phases("CD?L", Dialect::Osl), InputError);
+}
+
+TEST(Phases, OfAGrammarAreThoseOfBothItsExpressions) {
+  for (const Grammar& grammar : builtin_grammars().grammars) {
+    if (!has_language(grammar)) continue;
+    const Phases found = phases(grammar);
+    std::size_t forms = grammar.expression != kNoPath;
+    forms += !grammar.expression_delta.empty() && grammar.expression_delta != kNoPath;
+    EXPECT_EQ(found.forms.size(), forms) << grammar.name;
+  }
+  const Phases whitted = phases(*builtin_grammars().find("whitted"));
+  ASSERT_EQ(whitted.forms.size(), 2u);
+  EXPECT_EQ(whitted.forms[0].lights, "lights that a ray can hit, La and Le");
+  EXPECT_EQ(language_of(whitted.forms[1].parts.at(0).subsets), compile("LNS*E"));
+  EXPECT_EQ(whitted.minimal, phases("[LaLe]N?S*E | [LpLd]NS*E").minimal);
 }
 
 }  // namespace

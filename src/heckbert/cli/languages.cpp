@@ -10,12 +10,13 @@
 
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/files.h>
-#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/error_codes.h>
 #include <heckbert/taxonomy/expression.h>
 
 namespace heckbert::cli {
 namespace {
 
+using taxonomy::ErrorCode;
 using taxonomy::Grammar;
 
 constexpr std::string_view kAllGrammars = "all";
@@ -30,8 +31,8 @@ Grammar builtin(std::string_view name, std::string_view text, std::string_view w
   const taxonomy::GrammarLibrary& library = taxonomy::builtin_grammars();
   if (const Grammar* found = library.find(name)) return *found;
   const std::string near = nearest(name, names_of(library.grammars));
-  throw InputError(diagnose(what, text, text.size() - name.size(), name.size(),
-                            "there is no grammar or class '" + std::string(name) + "'",
+  throw InputError(diagnose(ErrorCode::UnknownName, what, text, text.size() - name.size(), name.size(),
+                            {fmt::format("'{}'", name)},
                             near.empty() ? "'heckbert grammar list' shows all" : "did you mean '" + near + "'?"));
 }
 
@@ -50,10 +51,11 @@ Grammar lookup(const std::string& text, std::string_view what, const Settings& s
   Grammar grammar;
   grammar.kind = taxonomy::GrammarKind::Class;
   grammar.name = grammar.title = grammar.expression = text;
+  grammar.dialect = settings.dialect;
   taxonomy::Reading reading =
       taxonomy::read_expression(text, settings.dialect, taxonomy::builtin_grammars().names(), what);
   for (const Diagnostic& warning : reading.warnings)
-    Console(settings).note(fmt::format("warning: {}: {}", text, warning.message));
+    Console(settings).note(fmt::format("warning: {}: {}", text, taxonomy::warning_text(warning)));
   grammar.language = std::move(reading.language);
   return grammar;
 }
@@ -79,7 +81,7 @@ std::vector<Grammar> collect(const std::vector<std::string>& texts, Make make) {
 Grammar find_grammar(const std::string& text, std::string_view what, const Settings& settings) {
   Grammar grammar = lookup(text, what, settings);
   if (!taxonomy::has_language(grammar))
-    throw InputError(diagnose(what, text, 0, text.size(), taxonomy::why_no_language(grammar),
+    throw InputError(diagnose(ErrorCode::NoLanguage, what, text, 0, text.size(), {taxonomy::why_no_language(grammar)},
                               "'heckbert grammar show " + grammar.name + "' says what it is"));
   return grammar;
 }

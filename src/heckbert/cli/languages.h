@@ -24,9 +24,6 @@ std::vector<taxonomy::Grammar> find_grammars(const std::vector<std::string>& tex
 std::vector<taxonomy::Grammar> find_described(const std::vector<std::string>& texts, std::string_view what,
                                               const Settings& settings);
 
-/// For the flag that takes the texts of find_to_cover.
-inline constexpr const char* kGrammarsHelp = "name, .grammar file, expression or 'all' (default: the teaching set)";
-
 /// What coverage is asked of: the teaching set when there are no texts; for the text "all" every algorithm, with what
 /// has no language among them; else as find_grammars.
 std::vector<taxonomy::Grammar> find_to_cover(const std::vector<std::string>& texts, std::string_view what,

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/never.h>
 #include <heckbert/report/numbers.h>
+#include <heckbert/taxonomy/simplest.h>
 
 namespace heckbert::cli {
 
@@ -16,6 +18,8 @@ std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::v
   for (const taxonomy::Grammar& grammar : grammars) {
     ClassOfRecord item;
     item.grammar = grammar;
+    item.canonical = taxonomy::simplest_expression(grammar.language).value_or("");
+    item.never = never_text(grammar, rule, record);
     item.members = record::members(record, grammar.language, rule);
     item.energy = record::energy(record, item.members, confidence);
     item.share = record::share(record, item.members, all, confidence);
@@ -38,6 +42,8 @@ std::vector<record::Layer> layers_of(const record::Record& record, const std::ve
     taken.push_back(layer.name);
     layer.attributes["expression"] = item.grammar.expression;
     if (!item.grammar.expression_delta.empty()) layer.attributes["expression_delta"] = item.grammar.expression_delta;
+    layer.attributes["dialect"] = std::string(taxonomy::facts(item.grammar.dialect).name);
+    if (!item.canonical.empty()) layer.attributes["canonical"] = item.canonical;
     layer.attributes["glossy"] = std::string(report::name_of(rule));
     layers.push_back(std::move(layer));
   }
@@ -87,6 +93,9 @@ report::Json to_json(const std::vector<ClassOfRecord>& classes) {
   for (const ClassOfRecord& item : classes)
     list.push_back({{"name", item.grammar.name},
                     {"expression", item.grammar.expression},
+                    {"dialect", taxonomy::facts(item.grammar.dialect).name},
+                    {"canonical", item.canonical},
+                    {"never", item.never},
                     {"energy", report::to_json(item.energy)},
                     {"share", report::to_json(item.share)},
                     {"words", item.words},

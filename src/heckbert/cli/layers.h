@@ -19,6 +19,8 @@ namespace heckbert::cli {
 /// What a record holds of one language.
 struct ClassOfRecord {
   taxonomy::Grammar grammar;
+  std::string canonical;      ///< a short expression of the language, in Heckbert's notation; empty: none is known
+  std::string never;          ///< "'LVE' matches nothing in this record, because ...", or empty
   std::vector<bool> members;  ///< by word of the record
   record::Estimate energy, share;
   std::size_t words = 0;    ///< distinct words of the record in the language
@@ -28,7 +30,8 @@ struct ClassOfRecord {
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence);
 
-/// One picture per class; names are made legal and distinct, attributes say the expression and the rule for G.
+/// One picture per class; names are made legal and distinct, attributes say the expression as it was typed, its dialect,
+/// its canonical form and the rule for G.
 /// With `first_unnamed` the first class becomes the unprefixed R, G, B.
 std::vector<record::Layer> layers_of(const record::Record& record, const std::vector<ClassOfRecord>& classes,
                                      taxonomy::GlossyRule rule, bool first_unnamed = false);
@@ -42,7 +45,7 @@ std::string describe(const ClassOfRecord& item);
 /// The classes as a table for people.
 std::string classes_text(const std::vector<ClassOfRecord>& classes, const report::TextStyle& style);
 
-/// Keys "name", "expression", "energy", "share", "words", "count".
+/// Keys "name", "expression", "dialect", "canonical", "never", "energy", "share", "words", "count".
 report::Json to_json(const std::vector<ClassOfRecord>& classes);
 
 }  // namespace heckbert::cli

@@ -24,4 +24,8 @@ inline std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
 
+inline std::string did_you_mean(std::string_view text) {
+  return "did you mean " + quoted(text) + "?";
+}
+
 }  // namespace heckbert::taxonomy

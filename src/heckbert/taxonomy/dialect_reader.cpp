@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/dialect_parser.h>
 #include <heckbert/taxonomy/expression_parser.h>
 #include <heckbert/taxonomy/tree_language.h>
@@ -13,12 +14,6 @@ namespace {
 
 ExpressionSource source_of(std::string_view name, std::string_view text) {
   return {name, text, 0, text.size(), {}};
-}
-
-bool is_word_tree(const Node& tree) {
-  for (const NodeKind kind : {NodeKind::Name, NodeKind::Both, NodeKind::Without, NodeKind::Complement, NodeKind::Bad})
-    if (has_kind(tree, kind)) return false;
-  return true;
 }
 
 // The language of a tree as written, cut down to whole paths.
@@ -45,8 +40,13 @@ Language paths(const Node& tree, Orientation orientation) {
   return from_eye | (language_of(tree) & Language::universe());
 }
 
-// Which way round a word tree of an undirected dialect is written.
+// Every word tree of the tree turned so that it runs from the light; an undirected dialect may write it either way.
 Node from_light(const Node& tree, Orientation orientation) {
+  if (!is_word_tree(tree)) {
+    Node turned = tree;
+    for (Node& child : turned.children) child = from_light(child, orientation);
+    return turned;
+  }
   const bool is_from_light =
       orientation == Orientation::Either && !(language_of(tree) & Language::universe()).is_empty();
   return is_from_light ? tree : reversed(tree);
@@ -73,7 +73,7 @@ void propose_repair(ExpressionSource& source, const DialectTree& parsed, const D
   if (!repaired) return;
   ExpressionSource again = source_of(source.name, *repaired);
   parse_dialect(again, dialect);
-  if (again.errors.empty()) source.errors.back().suggestion = "did you mean '" + *repaired + "'?";
+  if (again.errors.empty()) source.errors.back().suggestion = did_you_mean(*repaired);
 }
 
 [[noreturn]] void throw_sorted(ExpressionSource& source) {
@@ -84,10 +84,9 @@ void propose_repair(ExpressionSource& source, const DialectTree& parsed, const D
 }
 
 ReadingWithTree read_heckbert(std::string_view text, const Names& names, std::string_view name) {
-  ReadingWithTree result{{compile(text, names, name), {}, {}}, std::nullopt};
+  ReadingWithTree result{{compile(text, names, name), {}, {}}, {}};
   ExpressionSource source = source_of(name, text);
-  const Node tree = parse_expression(source);
-  if (is_word_tree(tree)) result.tree = from_light(tree, Orientation::Either);
+  result.tree = from_light(parse_expression(source), Orientation::Either);
   return result;
 }
 
@@ -108,14 +107,17 @@ ReadingWithTree read_with_tree(std::string_view text, Dialect dialect, const Nam
   const Orientation orientation = facts_of_dialect.orientation;
   try {
     result.reading.language = paths(parsed.root, orientation);
-    if (is_word_tree(parsed.root)) result.tree = from_light(parsed.root, orientation);
+    result.tree = from_light(parsed.root, orientation);
   } catch (const LimitError& error) {
-    throw LimitError(std::string(name) + " '" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") +
-                     "' is too large: " + error.what());
+    const std::string shown = std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "");
+    std::string message =
+        format(diagnose(ErrorCode::TooLarge, name, text, 0, text.size(), {quoted(shown), error.what()}));
+    message.pop_back();  // the newline
+    throw LimitError(message);
   }
   if (result.reading.language.is_empty())
     result.reading.warnings.push_back(
-        diagnose(name, text, 0, text.size(), "no path matches this in " + std::string(facts_of_dialect.title),
+        diagnose(ErrorCode::NoPath, name, text, 0, text.size(), {facts_of_dialect.title},
                  "a path has both its ends, the eye " + std::string(1, facts_of_dialect.eyes[0]) + " and a light"));
   return result;
 }

@@ -10,7 +10,7 @@ namespace heckbert::taxonomy {
 
 struct ReadingWithTree {
   Reading reading;
-  std::optional<Node> tree;  ///< from light to eye; nothing when it has operators on whole paths or names
+  Node tree;  ///< whole paths run from light to eye; above them stand operators on whole paths, beside them names
 };
 
 /// Errors: as read_expression.

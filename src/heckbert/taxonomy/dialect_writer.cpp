@@ -13,8 +13,7 @@ namespace heckbert::taxonomy {
 
 namespace {
 
-// ---- what a dialect cannot say
-// ---------------------------------------------------------------------------------------
+// ---- what a dialect cannot say --------------------------------------------------------------------------------------
 
 /// The finest things a dialect can say, each a set of symbols; whatever it says is a union of them.
 std::vector<SymbolSet> items_of(const DialectFacts& dialect) {
@@ -77,8 +76,7 @@ std::string why_not(const Language& language, const DialectFacts& dialect) {
   return "";
 }
 
-// ---- writing
-// ---------------------------------------------------------------------------------------------------------
+// ---- writing --------------------------------------------------------------------------------------------------------
 
 std::string empty_text(const DialectFacts& dialect) {
   const std::string path = dialect.orientation == Orientation::Either ? "LE" : "CL";
@@ -98,16 +96,13 @@ std::optional<std::string> checked(const Node& tree, const Language& language, D
   return std::nullopt;
 }
 
-Writing write(const Language& language, const std::optional<Node>& tree, Dialect dialect) {
-  const DialectFacts& target = facts(dialect);
-  const std::string title(target.title);
-  if (language.is_empty()) {
-    if (target.has_whole_operators) return {empty_text(target), ""};
-    return {"", "no path is in it, and " + title + " has no expression for that"};
-  }
-  if (tree)
-    if (auto text = checked(*tree, language, dialect)) return {std::move(*text), ""};
-  if (std::string reason = why_not(language, target); !reason.empty()) return {"", std::move(reason)};
+/// The text, when it is read in the dialect as exactly the language.
+std::optional<std::string> checked(std::optional<std::string> text, const Language& language, Dialect dialect) {
+  return text && read_expression(*text, dialect).language == language ? std::move(text) : std::nullopt;
+}
+
+/// The shortest that is known without operators on whole paths.
+std::optional<std::string> path_text(const Language& language, Dialect dialect) {
   std::optional<std::string> best;
   const auto offer = [&](const std::optional<Node>& made) {
     auto text = made ? checked(*made, language, dialect) : std::nullopt;
@@ -117,20 +112,88 @@ Writing write(const Language& language, const std::optional<Node>& tree, Dialect
   // From the eye, lights differ at the end only, where letters such as L and O that share symbols can be joined.
   if (!best)
     if (auto made = regular_expression(reverse(language))) offer(reversed(std::move(*made)));
-  if (best) return {std::move(*best), ""};
-  return {"", "an expression of " + title + " for it would be longer than anybody reads"};
+  return best;
 }
+
+/// One path without operators at its top, or else in parentheses.
+std::string operand(const std::string& text) {
+  int depth = 0;
+  bool is_path = text.front() != '!' && text.front() != '^';
+  for (const char c : text) {
+    depth += c == '(' || c == '[';
+    depth -= c == ')' || c == ']';
+    is_path = is_path && (depth > 0 || (c != '|' && c != '&' && c != '-'));
+  }
+  return is_path ? text : "(" + text + ")";
+}
+
+class Writer {
+ public:
+  Writer(Dialect dialect, const Names& names) : dialect_(dialect), target_(facts(dialect)), names_(names) {}
+
+  /// `tree`, when there is one, is how the language was written, and is kept where the dialect can say it.
+  Writing write(const Language& language, const Node* tree) const {
+    const std::string title(target_.title);
+    if (language.is_empty()) {
+      if (target_.has_whole_operators) return {empty_text(target_), ""};
+      return {"", "no path is in it, and " + title + " has no expression for that"};
+    }
+    if (tree != nullptr)
+      if (auto text = as_written(*tree, language)) return {std::move(*text), ""};
+    if (std::string reason = why_not(language, target_); !reason.empty()) return {"", std::move(reason)};
+    std::optional<std::string> best = path_text(language, dialect_);
+    if (target_.has_whole_operators)
+      if (const auto rest = path_text(!language, dialect_); rest && (!best || rest->size() + 3 < best->size()))
+        best = complement_sign() + operand(*rest);
+    if (best) return {std::move(*best), ""};
+    return {"", "an expression of " + title + " for it would be longer than anybody reads"};
+  }
+
+ private:
+  std::string complement_sign() const { return dialect_ == Dialect::Heckbert ? "!" : "^"; }
+
+  std::optional<std::string> as_written(const Node& tree, const Language& language) const {
+    if (is_word_tree(tree)) return checked(tree, language, dialect_);
+    if (!target_.has_whole_operators) return std::nullopt;
+    return checked(with_operators(tree), language, dialect_);
+  }
+
+  /// Nothing when some part of it cannot be said.
+  std::optional<std::string> with_operators(const Node& tree) const {
+    const auto known = [](Writing written) {
+      return written.text.empty() ? std::nullopt : std::optional(std::move(written.text));
+    };
+    if (is_word_tree(tree)) return known(write(language_of(tree) & Language::universe(), &tree));
+    if (tree.kind == NodeKind::Name) return known(write(names_.find(tree.name).value(), nullptr));
+    std::string text;
+    for (const Node& child : tree.children) {
+      const auto part = with_operators(child);
+      if (!part) return std::nullopt;
+      if (!text.empty()) text += sign(tree.kind);
+      text += operand(*part);
+    }
+    return tree.kind == NodeKind::Complement ? complement_sign() + text : text;
+  }
+
+  static std::string_view sign(NodeKind kind) {
+    return kind == NodeKind::Both ? " & " : kind == NodeKind::Without ? " - " : " | ";
+  }
+
+  Dialect dialect_;
+  const DialectFacts& target_;
+  const Names& names_;
+};
 
 }  // namespace
 
 Writing write_expression(const Language& language, Dialect dialect) {
-  return write(language, std::nullopt, dialect);
+  return Writer(dialect, {}).write(language, nullptr);
 }
 
 Translation translate(std::string_view text, Dialect from, Dialect to, const Names& names, std::string_view source) {
   ReadingWithTree read = read_with_tree(text, from, names, source);
   Translation result;
-  result.writing = write(read.reading.language, read.tree, to);
+  result.writing = Writer(to, names).write(read.reading.language, &read.tree);
   result.reading = std::move(read.reading);
   try {
     const Language there = read_expression(text, to, names, source).language;

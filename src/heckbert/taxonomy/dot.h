@@ -12,4 +12,7 @@ namespace heckbert::taxonomy {
 /// the state from which nothing matches is left out.
 std::string dot(const Language& language, std::string_view title);
 
+/// The text as a string of the DOT language, quotes included.
+std::string dot_string(std::string_view text);
+
 }  // namespace heckbert::taxonomy

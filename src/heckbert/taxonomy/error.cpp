@@ -73,6 +73,7 @@ std::string format(const Diagnostic& d) {
   if (d.line > 0) out += ":" + std::to_string(d.line) + ":" + std::to_string(d.column);
   out += ": error: " + d.message;
   if (!d.pointer.empty()) out += " (at " + d.pointer + ")";
+  if (!d.code.empty()) out += " [" + d.code + "]";
   out += "\n";
   if (d.line > 0 && d.column > 0) append_excerpt(out, d);
   if (!d.suggestion.empty()) out += "  " + d.suggestion + "\n";

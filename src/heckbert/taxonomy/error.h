@@ -21,9 +21,11 @@ struct Diagnostic {
   std::string message;     ///< what is wrong, and what was expected
   std::string suggestion;  ///< a phrase printed as it stands, "did you mean 'Sr'?"; empty when there is none
   std::string pointer;     ///< JSON pointer of the culprit; empty outside JSON
+  std::string code;        ///< stable name of this error, "HB101"; empty where errors have none
 };
 
-/// "file:line:column: error: message", the excerpt, the carets, the suggestion; several lines, each newline-terminated.
+/// "file:line:column: error: message [code]", the excerpt, the carets, the suggestion; several lines, each
+/// newline-terminated.
 std::string format(const Diagnostic& diagnostic);
 
 /// A diagnostic for the characters [offset, offset+length) of `text` (byte offsets; columns count characters).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/expression_ends.h>
 #include <heckbert/taxonomy/expression_parser.h>
 
@@ -50,7 +51,7 @@ class Compiler {
     if (names_.find)
       if (auto language = names_.find(node.name)) return *language;
     if (const std::string why = names_.why_none ? names_.why_none(node.name) : ""; !why.empty()) {
-      source_.report(node.offset, node.length, why, "");
+      source_.report(ErrorCode::NoLanguage, node.offset, node.length, {why});
       return {};
     }
     std::string suggestion;
@@ -59,11 +60,11 @@ class Compiler {
          dash = node.name.rfind('-', dash - 1)) {
       const std::string left = node.name.substr(0, dash);
       if (std::find(names_.known.begin(), names_.known.end(), left) != names_.known.end())
-        suggestion = "a name may contain '-'; did you mean '@" + left + " - " + node.name.substr(dash + 1) + "'?";
+        suggestion = "a name may contain '-'; " + did_you_mean("@" + left + " - " + node.name.substr(dash + 1));
     }
     const std::string near = nearest(node.name, names_.known);
-    if (suggestion.empty() && !near.empty()) suggestion = "did you mean '@" + near + "'?";
-    source_.report(node.offset, node.length, "no class or algorithm is called '" + node.name + "'", suggestion);
+    if (suggestion.empty() && !near.empty()) suggestion = did_you_mean("@" + near);
+    source_.report(ErrorCode::UnknownName, node.offset, node.length, {quoted(node.name)}, suggestion);
     return {};
   }
 
@@ -79,21 +80,18 @@ class Compiler {
   }
 
   void report_wholes_within(const Node& node) {
-    const auto complain = [&](const std::string& message, const std::string& suggestion) {
-      source_.report(node.offset, node.length, message, suggestion);
+    const auto complain = [&](std::string_view what, const std::string& suggestion) {
+      source_.report(ErrorCode::WholeInsidePath, node.offset, node.length, {what}, suggestion);
     };
     switch (node.kind) {
       case NodeKind::Name:
-        return complain("a name stands for whole paths and cannot be a part of one",
-                        "combine whole paths with | & - !");
+        return complain(quoted("@" + node.name), "combine whole paths with | & - !");
       case NodeKind::Complement:
-        return complain("'!' complements whole paths and cannot stand inside one",
-                        "an event other than S is written [^S]");
+        return complain("'!'", "an event other than S is written [^S]");
       case NodeKind::Both:
-        return complain("'&' intersects whole paths and cannot stand inside one", "write (L..E) & (L..E)");
+        return complain("'&'", "write (L..E) & (L..E)");
       case NodeKind::Without:
-        return complain("'-' subtracts whole paths and cannot stand inside one",
-                        "an event other than S is written [^S]");
+        return complain("'-'", "an event other than S is written [^S]");
       default:
         for (const Node& child : node.children) report_wholes_within(child);
     }
@@ -176,10 +174,10 @@ class Compiler {
     std::string text = source_.text(offset, std::min(length, kShown));
     if (length > kShown) text += "...";
     const bool is_counting = text.find('{') != std::string::npos;
-    std::string message =
-        format(diagnose(source_.name, source_.document, offset, length, "'" + text + "' is too large: " + error.what(),
-                        is_counting ? "lower a count, or take away a '*' or '+' beside one"
-                                    : "split the expression into smaller ones"));
+    std::string message = format(diagnose(ErrorCode::TooLarge, source_.name, source_.document, offset, length,
+                                          {quoted(text), error.what()},
+                                          is_counting ? "lower a count, or take away a '*' or '+' beside one"
+                                                      : "split the expression into smaller ones"));
     message.pop_back();  // the newline
     throw LimitError(message);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <heckbert/taxonomy/characters.h>
+
 namespace heckbert::taxonomy {
 
 namespace {
@@ -59,8 +61,7 @@ class EndsCheck {
       return std::nullopt;
     }
     if (s.may_be_empty) {
-      source_.report(word_.offset, word_.length,
-                     "this matches the empty path; a path has a light end L and an eye end E",
+      source_.report(ErrorCode::EmptyPath, word_.offset, word_.length, {},
                      forward + backward == 0 ? did_you_mean("L " + text(word_) + " E") : "");
       return std::nullopt;
     }
@@ -78,7 +79,7 @@ class EndsCheck {
                                   : has_begin_ == from_light ? "no eye end E"
                                                              : "no light end L";
       source_.report(
-          word_.offset, word_.length, "this path has " + missing + "; a whole path runs L ... E or E ... L",
+          ErrorCode::EndMissing, word_.offset, word_.length, {missing},
           did_you_mean((has_begin_ ? "" : begin_letter + " ") + text(word_) + (has_end_ ? "" : " " + end_letter)));
     }
     visit(word_, kBorder, kBorder);
@@ -87,14 +88,12 @@ class EndsCheck {
   }
 
  private:
-  static std::string did_you_mean(const std::string& text) { return "did you mean '" + text + "'?"; }
   std::string text(const Node& node) const { return source_.text(node.offset, node.length); }
 
   void report_equal_ends(const std::string& what, const std::string& other) {
     const Node* last = &word_;
     while (last->kind == NodeKind::Sequence) last = &last->children.back();
-    source_.report(last->offset, last->length, "both ends are " + what + "; a path runs from a light to an eye",
-                   "one of the two must be " + other);
+    source_.report(ErrorCode::EqualEnds, last->offset, last->length, {what}, "one of the two must be " + other);
   }
 
   // `before` and `after`: what may stand next to the words of this node in the words of the whole.
@@ -128,16 +127,18 @@ class EndsCheck {
   }
 
   void visit_letters(const Node& node, SymbolSet before, SymbolSet after) {
-    const auto complain = [&](const std::string& message) { source_.report(node.offset, node.length, message); };
-    const std::string letter = "'" + text(node) + "' ";
+    const std::string letter = quoted(text(node));
+    const auto complain = [&](std::string_view where, SymbolSet expected) {
+      source_.report(ErrorCode::EventAtEnd, node.offset, node.length, {letter, where, describe(expected)});
+    };
     const bool begins = before & kBorder, ends = after & kBorder;
     const bool follows = before & ~kBorder, is_followed = after & ~kBorder;
     const SymbolSet set = node.set.symbols();
     if ((set & begin_ && follows) || (set & end_ && is_followed))
-      return complain(letter + "is an end in the middle of a path; expected D, G, S or V here");
+      return source_.report(ErrorCode::EndInside, node.offset, node.length, {letter});
     // A path that lacks an end everywhere has been reported as a whole.
-    if (has_begin_ && begins && set & ~begin_) complain(letter + "can begin a path here; expected " + describe(begin_));
-    if (has_end_ && ends && set & ~end_) complain(letter + "can end a path here; expected " + describe(end_));
+    if (has_begin_ && begins && set & ~begin_) complain("beginning", begin_);
+    if (has_end_ && ends && set & ~end_) complain("end", end_);
   }
 
   const Node& word_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/expression_tokens.h>
 
 namespace heckbert::taxonomy {
@@ -14,7 +15,7 @@ class Parser {
 
   Node parse() {
     if (peek().kind == TokenKind::End) {
-      source_.report(source_.begin, 1, "an empty expression; expected a path such as L D* E");
+      source_.report(ErrorCode::EmptyText, source_.begin, 1, {"expression", "L D* E"});
       return {};
     }
     Node node = parse_union();
@@ -30,8 +31,9 @@ class Parser {
     ++at_;
     return true;
   }
-  void report(const Token& token, std::string message, std::string suggestion = {}) {
-    source_.report(token.offset, token.length, std::move(message), std::move(suggestion));
+  void report(ErrorCode code, const Token& token, std::initializer_list<std::string_view> values = {},
+              std::string suggestion = {}) {
+    source_.report(code, token.offset, token.length, values, std::move(suggestion));
   }
   std::string text(const Token& token) const { return source_.text(token.offset, token.length); }
 
@@ -92,15 +94,14 @@ class Parser {
       if (starts_atom(peek())) {
         adopt(node, parse_repetition());
       } else if (peek().kind == TokenKind::Repeat) {
-        report(peek(), "nothing to repeat before " + quoted(text(peek())));
+        report(ErrorCode::NothingToRepeat, peek(), {quoted(text(peek()))});
         next();
         adopt(node, {});
       } else if (peek().kind == TokenKind::Not && !node.children.empty()) {
-        report(peek(), "'!' complements a whole expression and cannot stand inside a word",
-               "an event other than S is written [^S]");
+        report(ErrorCode::WholeInsidePath, peek(), {"'!'"}, "an event other than S is written [^S]");
         next();
       } else if (peek().kind == TokenKind::Close && open_groups_ == 0) {
-        report(peek(), "')' closes nothing");
+        report(ErrorCode::ClosesNothing, peek(), {"')'"});
         next();
       } else {
         break;
@@ -145,8 +146,8 @@ class Parser {
 
   Node parse_group(const Token& open) {
     if (accept(TokenKind::Close)) {
-      source_.report(open.offset, tokens_[at_ - 1].offset + 1 - open.offset,
-                     "empty parentheses; expected a piece of a path", "a piece that may be missing is written (...)?");
+      source_.report(ErrorCode::EmptyParentheses, open.offset, tokens_[at_ - 1].offset + 1 - open.offset, {},
+                     "a piece that may be missing is written (...)?");
       return {};
     }
     if (++depth_ > kMaxDepth) return give_up(open);
@@ -160,13 +161,13 @@ class Parser {
       inner.length = close.offset + close.length - open.offset;
       return inner;
     }
-    if (!gave_up_) report(open, "'(' is never closed; expected ')'");
+    if (!gave_up_) report(ErrorCode::NeverClosed, open, {"'('", "')'"});
     return {};
   }
 
   // The rest is skipped; what follows would only repeat the same error.
   Node give_up(const Token& culprit) {
-    if (!gave_up_) report(culprit, "nested deeper than " + std::to_string(kMaxDepth) + " levels");
+    if (!gave_up_) report(ErrorCode::TooDeep, culprit, {std::to_string(kMaxDepth)});
     gave_up_ = true;
     at_ = tokens_.size() - 1;
     return {};
@@ -178,18 +179,15 @@ class Parser {
     const bool in_union = before == TokenKind::Bar || peek().kind == TokenKind::Bar;
     const Token& culprit = before == TokenKind::Bar ? tokens_[at_ - 1] : peek();
     if (in_union)
-      report(culprit, "an empty alternative; expected a letter, '(' or '@name' on both sides of '|'",
-             "a piece that may be missing is written with '?'");
+      report(ErrorCode::EmptyAlternative, culprit, {}, "a piece that may be missing is written with '?'");
     else if (before == TokenKind::And || before == TokenKind::Minus || before == TokenKind::Not)
-      report(tokens_[at_ - 1], "expected a whole expression after " + quoted(text(tokens_[at_ - 1])));
+      report(ErrorCode::PieceMissing, tokens_[at_ - 1], {"a whole expression after " + quoted(text(tokens_[at_ - 1]))});
     else if (peek().kind == TokenKind::And || peek().kind == TokenKind::Minus)
-      report(peek(), "expected a whole expression before " + quoted(text(peek())));
+      report(ErrorCode::PieceMissing, peek(), {"a whole expression before " + quoted(text(peek()))});
     else
-      report(peek(), "expected a letter, '(' or '@name' here");
+      report(ErrorCode::PieceMissing, peek(), {"a letter, '(' or '@name' here"});
     return {};
   }
-
-  static std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
   ExpressionSource& source_;
   std::vector<Token> tokens_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/error_codes.h>
 
 namespace heckbert::taxonomy {
 
@@ -19,8 +20,9 @@ struct ExpressionSource {
   std::size_t end = 0;
   std::vector<Diagnostic> errors;
 
-  void report(std::size_t offset, std::size_t length, std::string message, std::string suggestion = {}) {
-    errors.push_back(diagnose(name, document, offset, length, std::move(message), std::move(suggestion)));
+  void report(ErrorCode code, std::size_t offset, std::size_t length,
+              std::initializer_list<std::string_view> values = {}, std::string suggestion = {}) {
+    errors.push_back(diagnose(code, name, document, offset, length, values, std::move(suggestion)));
   }
   std::string text(std::size_t offset, std::size_t length) const {
     return std::string(document.substr(offset, length));

@@ -17,10 +17,6 @@ bool is_name(char c) {
   return is_lower(c) || is_upper(c) || is_digit(c) || c == '-' || c == '_';
 }
 
-std::string did_you_mean(std::string_view text) {
-  return "did you mean " + quoted(text) + "?";
-}
-
 constexpr std::string_view kLettersExpected = "L, D, G, S, V, E, X, N or '.'";
 
 // What a letter without a subscript stands for; nothing for a character that is no letter of ours.
@@ -46,23 +42,23 @@ SymbolSet subscripted_set(char letter, char subscript) {
 // Characters of other notations and what is written here instead.
 struct Foreign {
   char written;
-  std::string_view message;
+  ErrorCode code;
+  std::string_view why;  ///< of a letter
   std::string_view suggestion;
 };
 constexpr std::array kForeign{
-    Foreign{'R', "R is no letter here: reflection is a subscript", "write Dr, Gr or Sr"},
-    Foreign{'T', "T is no letter here: transmission is a subscript", "write Dt, Gt or St"},
-    Foreign{'O', "O (an emissive object) is no letter here", "write La for area lights, L for any light"},
-    Foreign{'B', "B (the background) is no letter here", "write Le for the environment light"},
-    Foreign{'A', "A is no letter here: the ambient term and albedo are no light paths", ""},
-    Foreign{'W', "W is no letter here", ""},
-    Foreign{'>', "'>' closes nothing", "write Dr, Gt, Sr ... for reflection and transmission"},
-    Foreign{'^', "'^' negates only inside brackets, [^S]", "the complement of a whole expression is written with '!'"},
-    Foreign{',', "',' separates nothing here", "alternatives are separated by '|'"},
-    Foreign{'/', "'/' is no operator here", ""},
-    Foreign{']', "']' closes nothing", ""},
-    Foreign{'}', "'}' closes nothing", ""},
-    Foreign{'~', "'~' is no operator here", "the complement of a whole expression is written with '!'"},
+    Foreign{'R', ErrorCode::ForeignLetter, "reflection is a subscript", "write Dr, Gr or Sr"},
+    Foreign{'T', ErrorCode::ForeignLetter, "transmission is a subscript", "write Dt, Gt or St"},
+    Foreign{'O', ErrorCode::ForeignLetter, "an object that glows is a light", "write La for area lights, L for any"},
+    Foreign{'B', ErrorCode::ForeignLetter, "the background is a light", "write Le for the environment light"},
+    Foreign{'A', ErrorCode::ForeignLetter, "the ambient term and albedo are no light paths", ""},
+    Foreign{'>', ErrorCode::ClosesNothing, "", "write Dr, Gt, Sr ... for reflection and transmission"},
+    Foreign{']', ErrorCode::ClosesNothing, "", ""},
+    Foreign{'}', ErrorCode::ClosesNothing, "", ""},
+    Foreign{'^', ErrorCode::NoOperator, "", "inside brackets it negates, [^S]; of a whole expression '!' does"},
+    Foreign{',', ErrorCode::NoOperator, "", "alternatives are separated by '|'"},
+    Foreign{'/', ErrorCode::NoOperator, "", ""},
+    Foreign{'~', ErrorCode::NoOperator, "", "the complement of a whole expression is written with '!'"},
 };
 
 class TokenReader {
@@ -98,8 +94,8 @@ class TokenReader {
     at_ += token.length;
     tokens_.push_back(token);
   }
-  void push_bad(std::size_t length, std::string message, std::string suggestion = {}) {
-    source_.report(at_, length, std::move(message), std::move(suggestion));
+  void push_bad(ErrorCode code, std::size_t length, std::string suggestion = {}) {
+    source_.report(code, at_, length, {}, std::move(suggestion));
     push(TokenKind::Bad, length);
   }
 
@@ -168,17 +164,17 @@ class TokenReader {
     const auto read = read_label(source_.document.substr(0, source_.end), at_);
     if (!read) {
       const std::size_t line_end = rest().find('\n');
-      source_.report(open, 1, "a label that is never closed; expected another " + std::string(1, peek()));
+      source_.report(ErrorCode::NeverClosed, open, 1, {"the label", "another " + std::string(1, peek())});
       at_ = line_end == std::string_view::npos ? source_.end : open + line_end;
       return {set, false, true};
     }
     at_ += read->length;
     LabelledSet result{LetterSet::labelled(set.of(read->label), read->label), true, true};
     if ((set.symbols() & kEyes) != 0) {
-      source_.report(open, read->length, "the eye has no label; lights and events have");
+      source_.report(ErrorCode::EyeLabelled, open, read->length);
       result.is_good = false;
     } else if (result.set.is_empty() && !set.is_empty()) {
-      source_.report(open, read->length, "none of the letters before this label has it");
+      source_.report(ErrorCode::LabelOfNothing, open, read->length);
       result.is_good = false;
     }
     return result;
@@ -197,7 +193,7 @@ class TokenReader {
   void read_operator(TokenKind kind) {
     const char c = peek();
     if (peek(1) == c)
-      source_.report(at_, 2, quoted(rest().substr(0, 2)) + " is no operator", did_you_mean(rest().substr(0, 1)));
+      source_.report(ErrorCode::NoOperator, at_, 2, {quoted(rest().substr(0, 2))}, did_you_mean(rest().substr(0, 1)));
     push(kind, peek(1) == c ? 2 : 1);
   }
 
@@ -221,15 +217,12 @@ class TokenReader {
       std::string spelled;
       for (const Symbol s : members(plain))
         if (facts(s).subscript == subscript) spelled += name(s);
-      if (c == 'C' && !spelled.empty())
-        source_.report(at_, 2, "C has no subscripts", did_you_mean(spelled));
-      else
-        source_.report(at_, 2, std::string(1, c) + " has no subscripts",
-                       spelled.empty() ? "" : did_you_mean("[" + spelled + "]"));
+      source_.report(ErrorCode::UnknownSubscript, at_, 2, {quoted(written), std::string(1, c) + " without a subscript"},
+                     spelled.empty() ? "" : did_you_mean(c == 'C' ? spelled : "[" + spelled + "]"));
     } else {
       std::string known;
       for (const Symbol s : members(plain)) known += (known.empty() ? "" : ", ") + name(s);
-      source_.report(at_, 2, quoted(written) + " is no letter; expected " + std::string(1, c) + " alone, or " + known,
+      source_.report(ErrorCode::UnknownSubscript, at_, 2, {quoted(written), std::string(1, c) + " alone, or " + known},
                      letter_set(upper) != 0 ? did_you_mean(std::string{c, upper}) : "");
     }
     return {0, 2};
@@ -242,32 +235,35 @@ class TokenReader {
     const auto foreign =
         std::find_if(kForeign.begin(), kForeign.end(), [c](const Foreign& f) { return f.written == c; });
     if (foreign != kForeign.end()) {
-      source_.report(at_, 1, std::string(foreign->message), std::string(foreign->suggestion));
+      const std::string written = quoted(std::string_view(&c, 1)), suggestion(foreign->suggestion);
+      if (foreign->why.empty())
+        source_.report(foreign->code, at_, 1, {written}, suggestion);
+      else
+        source_.report(foreign->code, at_, 1, {written, foreign->why}, suggestion);
       return 1;
     }
     const Utf8Character character = utf8_at(source_.document.substr(0, source_.end), at_);
     if (!character.valid) {
-      source_.report(at_, 1, "a byte that is not UTF-8; expected " + std::string(kLettersExpected));
+      source_.report(ErrorCode::NotUtf8, at_, 1, {kLettersExpected});
       return 1;
     }
     if (character.code < 0x20 || (character.code >= 0x7F && character.code < 0xA0)) {
-      source_.report(at_, character.length, "a control character; expected " + std::string(kLettersExpected));
+      source_.report(ErrorCode::ControlCharacter, at_, character.length, {kLettersExpected});
       return character.length;
     }
     // Full-width forms are the ASCII characters at a fixed distance.
     if (character.code >= 0xFF01 && character.code <= 0xFF5E) {
-      source_.report(at_, character.length, "a full-width character",
+      source_.report(ErrorCode::Lookalike, at_, character.length, {"a full-width character"},
                      did_you_mean(std::string(1, static_cast<char>(character.code - 0xFF01 + '!'))));
       return character.length;
     }
     if (const Lookalike* l = find_lookalike(character.code)) {
-      source_.report(at_, character.length, std::string(l->what),
+      source_.report(ErrorCode::Lookalike, at_, character.length, {l->what},
                      l->meant.empty() ? "delete it" : did_you_mean(l->meant));
       return character.length;
     }
-    source_.report(
-        at_, character.length,
-        "unknown letter " + quoted(rest().substr(0, character.length)) + "; expected " + std::string(kLettersExpected));
+    source_.report(ErrorCode::UnknownLetter, at_, character.length,
+                   {quoted(rest().substr(0, character.length)), kLettersExpected});
     return character.length;
   }
 
@@ -280,8 +276,7 @@ class TokenReader {
       upper += static_cast<char>(peek(length) - 'a' + 'A');
       all_known = all_known && letter_set(upper.back()) != 0;
     }
-    source_.report(at_, length,
-                   quoted(rest().substr(0, length)) + " is no letter: small letters are subscripts, as in Dr",
+    source_.report(ErrorCode::SmallLetter, at_, length, {quoted(rest().substr(0, length))},
                    all_known ? did_you_mean(upper) : "a named class is written with '@'");
     return length;
   }
@@ -290,7 +285,7 @@ class TokenReader {
     const std::size_t open = at_;
     ++at_;
     const bool negated = peek() == '^' || peek() == '!';
-    if (peek() == '!') source_.report(at_, 1, "'!' complements a whole expression", did_you_mean("^"));
+    if (peek() == '!') source_.report(ErrorCode::OperatorInSet, at_, 1, {"'!'"}, did_you_mean("^"));
     if (negated) ++at_;
     LetterSet set;
     std::vector<std::pair<std::size_t, std::size_t>> ends;  // items that are ends: offset and length
@@ -300,8 +295,7 @@ class TokenReader {
     while (skip_blanks(), !at_end() && peek() != ']') {
       if (std::string_view("|,()*+?{}&-@[!^").find(peek()) != std::string_view::npos) {
         if (peek() == '[' || peek() == '(' || peek() == ')' || peek() == '@') break;
-        source_.report(at_, 1, quoted(rest().substr(0, 1)) + " inside brackets; letters stand side by side there",
-                       "write [DG] for D or G");
+        source_.report(ErrorCode::OperatorInSet, at_, 1, {quoted(rest().substr(0, 1))}, "write [DG] for D or G");
         is_good = false;
         ++at_;
         continue;
@@ -321,7 +315,7 @@ class TokenReader {
     const SymbolSet role = only_lights && has_label ? kLights : kEvents;
     if (negated && role == kEvents)
       for (const auto& [begin, length] : ends) {
-        source_.report(begin, length, "an end inside [^ ]; it takes events away from D, G, S, V",
+        source_.report(ErrorCode::NotTakenAway, begin, length, {"an end", "it takes events away from D, G, S, V"},
                        "name the ends that you want, as in [LaLe]");
         is_good = false;
       }
@@ -329,16 +323,16 @@ class TokenReader {
     const std::size_t end = closed ? at_ + 1 : at_;
     at_ = open;
     if (!closed) {
-      source_.report(open, 1, "'[' is never closed; expected ']'");
+      source_.report(ErrorCode::NeverClosed, open, 1, {"'['", "']'"});
       is_good = false;
     } else if (is_good && count == 0) {
-      source_.report(open, end - open, "an empty set; expected at least one of D, G, S, V, L, E",
+      source_.report(ErrorCode::EmptySet, open, end - open, {"at least one of D, G, S, V, L, E"},
                      negated ? "any event is written '.'" : "");
       is_good = false;
     }
     if (negated) set = LetterSet(role) - set;
     if (is_good && set.is_empty()) {
-      source_.report(open, end - open, "an empty set: nothing is left of D, G, S, V");
+      source_.report(ErrorCode::EmptySet, open, end - open, {"[^ ] to leave some of D, G, S, V"});
       is_good = false;
     }
     push_letters(set, end - open, is_good);
@@ -382,23 +376,23 @@ class TokenReader {
     const std::size_t close = rest().find_first_of("}|()*+?");
     if (close != std::string_view::npos && rest()[close] == '}') {
       at_ += close + 1;
-      source_.report(open, at_ - open, "a count is written {n}, {n,} or {n,m} with numbers n and m");
+      source_.report(ErrorCode::MalformedCount, open, at_ - open);
     } else {
-      source_.report(open, 1, "'{' is never closed; expected {n}, {n,} or {n,m}");
+      source_.report(ErrorCode::NeverClosed, open, 1, {"'{'", "{n}, {n,} or {n,m}"});
     }
   }
 
   void check_count(std::size_t open, std::optional<unsigned> least, std::optional<unsigned> most, bool has_comma) {
     const std::size_t length = at_ - open;
     if (!least)
-      source_.report(open, length, "a count without its least number; expected {n}, {n,} or {n,m}",
+      source_.report(ErrorCode::MalformedCount, open, length, {},
                      most        ? did_you_mean("{0," + std::to_string(*most) + "}")
                      : has_comma ? did_you_mean("*")
                                  : "");
     else if (*least > kMaxCount || most.value_or(0) > kMaxCount)
-      source_.report(open, length, "a count above " + std::to_string(kMaxCount) + ", the greatest that is read");
+      source_.report(ErrorCode::CountTooGreat, open, length, {std::to_string(kMaxCount)});
     else if (most && *most < *least)
-      source_.report(open, length, "the least number of this count exceeds the greatest",
+      source_.report(ErrorCode::CountReversed, open, length, {},
                      did_you_mean("{" + std::to_string(*most) + "," + std::to_string(*least) + "}"));
   }
 
@@ -407,16 +401,14 @@ class TokenReader {
     std::size_t length = 1;
     while (is_name(peek(length))) ++length;
     while (length > 1 && peek(length - 1) == '-') --length;
-    if (length == 1)
-      return push_bad(1, "'@' without a name; expected the name of a class or algorithm, as in @caustic");
+    if (length == 1) return push_bad(ErrorCode::NameMissing, 1);
     push(TokenKind::Name, length);
   }
 
   // <RD> of light path expressions.
   void read_group() {
     const std::size_t close = rest().find('>');
-    const std::string message = "'<..>' groups of light path expressions are not read in this notation";
-    if (close == std::string_view::npos || close > 40) return push_bad(1, message);
+    if (close == std::string_view::npos || close > 40) return push_bad(ErrorCode::GroupUnavailable, 1);
     const std::string_view inside = rest().substr(1, close - 1);
     const char mode = inside.empty() ? '\0' : inside[0], kind = inside.size() < 2 ? '\0' : inside[1];
     std::string spelled;
@@ -428,7 +420,7 @@ class TokenReader {
     const bool one_kind = mode == '.' && spelled.size() == 4;
     if (one_kind) spelled.resize(1);
     if (spelled.size() > 2) spelled = "[" + spelled + "]";
-    push_bad(close + 1, message,
+    push_bad(ErrorCode::GroupUnavailable, close + 1,
              spelled.empty() ? "write Dr, Gt, Sr ... for reflection and transmission" : did_you_mean(spelled));
   }
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include <heckbert/taxonomy/characters.h>
-#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/error_codes.h>
 #include <heckbert/taxonomy/expression_compiler.h>
 #include <heckbert/taxonomy/symbol_set.h>
 
@@ -74,8 +74,6 @@ static_assert([] {
   return true;
 }());
 
-constexpr std::string_view kNoPath = "none";
-
 const KeyFacts& key_facts(Key key) {
   return kKeys[static_cast<std::size_t>(key)];
 }
@@ -84,7 +82,7 @@ std::string_view key_name(Key key) {
 }
 std::string did_you_mean(std::string_view written, const std::vector<std::string>& known) {
   const std::string near = nearest(written, known);
-  return near.empty() ? "" : "did you mean '" + near + "'?";
+  return near.empty() ? "" : taxonomy::did_you_mean(near);
 }
 template <class Table>
 std::vector<std::string> names_in(const Table& table) {
@@ -140,7 +138,7 @@ class GrammarReader {
 
   Grammar finish(const GrammarLibrary& library) {
     if (const Field* name = find(Key::Name); name != nullptr && library.find(grammar_.name) != nullptr)
-      report(name->begin, name->end - name->begin, "the name " + quoted(grammar_.name) + " is taken");
+      report(ErrorCode::NameTaken, name->begin, name->end - name->begin, {quoted(grammar_.name)});
     check_host(library);
     const Language hit = compile_field(Key::Expression, library);
     const Language delta = compile_field(Key::ExpressionDelta, library);
@@ -152,8 +150,9 @@ class GrammarReader {
   }
 
  private:
-  void report(std::size_t offset, std::size_t length, std::string message, std::string suggestion = {}) {
-    errors_.push_back(diagnose(source_, text_, offset, length, std::move(message), std::move(suggestion)));
+  void report(ErrorCode code, std::size_t offset, std::size_t length,
+              std::initializer_list<std::string_view> values = {}, std::string suggestion = {}) {
+    errors_.push_back(diagnose(code, source_, text_, offset, length, values, std::move(suggestion)));
   }
 
   void read_fields() {
@@ -171,8 +170,7 @@ class GrammarReader {
     if (is_blank(line.front())) {
       const std::size_t offset = static_cast<std::size_t>(content.data() - text_.data());
       if (fields_.empty() && !skipping_)
-        report(offset, content.size(),
-               "a continuation line that continues nothing; expected 'key: value' at the margin");
+        report(ErrorCode::ContinuesNothing, offset, content.size());
       else if (!skipping_)
         fields_.back().end = offset + content.size();
       return;
@@ -184,7 +182,7 @@ class GrammarReader {
     const std::size_t colon = line.find(':');
     skipping_ = true;  // until a good key is read, its continuation lines belong to no field
     if (colon == std::string_view::npos) {
-      report(begin, content.size(), "expected 'key: value'", "a value goes on in lines that are indented");
+      report(ErrorCode::NoKey, begin, content.size(), {}, "a value goes on in lines that are indented");
       return;
     }
     const std::string_view written = trimmed(line.substr(0, colon));
@@ -193,13 +191,13 @@ class GrammarReader {
     if (key == kKeys.end()) {
       const std::vector<std::string> names = names_in(kKeys);
       const std::string near = did_you_mean(written, names);
-      report(begin, std::max<std::size_t>(1, written.size()), "unknown key " + quoted(written),
+      report(ErrorCode::UnknownKey, begin, std::max<std::size_t>(1, written.size()), {quoted(written)},
              near.empty() ? "keys are " + listed(names, ", ", "") : near);
       return;
     }
     const Key which = key->key;
     if (!key->repeats && find(which) != nullptr) {
-      report(begin, written.size(), "a second " + quoted(written) + "; it stands once");
+      report(ErrorCode::KeyTwice, begin, written.size(), {quoted(written)});
       return;
     }
     skipping_ = false;
@@ -236,15 +234,14 @@ class GrammarReader {
       if ((key_facts(key).required & kind) == 0) return {};
       Diagnostic missing;
       missing.source = source_;
-      missing.message = "the key " + quoted(key_name(key)) + " is missing";
+      missing.code = label(ErrorCode::KeyMissing);
+      missing.message = message_of(ErrorCode::KeyMissing, {quoted(key_name(key))});
       errors_.push_back(std::move(missing));
       return {};
     }
     if (is_kind_known_ && (key_facts(key).allowed & kind) == 0) {
-      report(field->key_offset, key_name(key).size(),
-             "the key " + quoted(key_name(key)) + " does not belong to kind " +
-                 std::string(taxonomy::facts(grammar_.kind).name),
-             std::string(key_facts(key).elsewhere));
+      report(ErrorCode::KeyElsewhere, field->key_offset, key_name(key).size(),
+             {quoted(key_name(key)), taxonomy::facts(grammar_.kind).name}, std::string(key_facts(key).elsewhere));
       return {};
     }
     return text_of(*field);
@@ -253,7 +250,7 @@ class GrammarReader {
   std::string text_of(const Field& field) {
     std::string text = one_line(field);
     if (text.empty())
-      report(field.key_offset, key_name(field.key).size(), "the key " + quoted(key_name(field.key)) + " has no value");
+      report(ErrorCode::NoValue, field.key_offset, key_name(field.key).size(), {quoted(key_name(field.key))});
     return text;
   }
 
@@ -270,7 +267,7 @@ class GrammarReader {
     grammar_.expression = value(Key::Expression);
     grammar_.expression_delta = value(Key::ExpressionDelta);
     if (grammar_.expression == kNoPath && grammar_.expression_delta == kNoPath)
-      report_value(Key::ExpressionDelta, "both expressions are 'none'; an algorithm captures something",
+      report_value(ErrorCode::CapturesNothing, Key::ExpressionDelta, {},
                    "what has no language is a " + listed(kinds_without_language(), " or a ", "'"));
     grammar_.host = value(Key::Host);
     grammar_.notes = value(Key::Notes);
@@ -289,13 +286,14 @@ class GrammarReader {
       grammar_.kind = kind->kind;
     } else if (!text.empty()) {
       const std::vector<std::string> names = names_in(kGrammarKinds);
-      report_value(Key::Kind, "expected " + listed(names, " or ", "'"), did_you_mean(text, names));
+      report_value(ErrorCode::WrongValue, Key::Kind, {listed(names, " or ", "'")}, did_you_mean(text, names));
     }
   }
 
   void read_core(const std::string& text) {
     grammar_.is_core = text == "yes";
-    if (!text.empty() && text != "yes" && text != "no") report_value(Key::Core, "expected 'yes' or 'no'");
+    if (!text.empty() && text != "yes" && text != "no")
+      report_value(ErrorCode::WrongValue, Key::Core, {"'yes' or 'no'"});
   }
 
   static std::vector<std::string> kinds_without_language() {
@@ -311,13 +309,13 @@ class GrammarReader {
     for (const Grammar& grammar : library.grammars)
       if (grammar.kind == GrammarKind::Algorithm) algorithms.push_back(grammar.name);
     if (std::find(algorithms.begin(), algorithms.end(), grammar_.host) == algorithms.end())
-      report_value(Key::Host, "no algorithm is called " + quoted(grammar_.host),
-                   did_you_mean(grammar_.host, algorithms));
+      report_value(ErrorCode::UnknownHost, Key::Host, {quoted(grammar_.host)}, did_you_mean(grammar_.host, algorithms));
   }
 
-  void report_value(Key key, std::string message, std::string suggestion = {}) {
+  void report_value(ErrorCode code, Key key, std::initializer_list<std::string_view> values,
+                    std::string suggestion = {}) {
     const Field& field = *find(key);
-    report(field.begin, field.end - field.begin, std::move(message), std::move(suggestion));
+    report(code, field.begin, field.end - field.begin, values, std::move(suggestion));
   }
 
   void check_name() {
@@ -325,8 +323,7 @@ class GrammarReader {
     const auto is_good = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
     const bool good = std::all_of(name.begin(), name.end(), is_good) && !name.empty() && name.front() != '-' &&
                       name.back() != '-' && name != kNoPath;
-    if (!good && !name.empty())
-      report_value(Key::Name, "a name has small letters, digits and '-' between them, and is not 'none'");
+    if (!good && !name.empty()) report_value(ErrorCode::WrongName, Key::Name, {});
   }
 
   std::optional<int> whole_number(Key key, int at_least, std::string_view what) {
@@ -335,7 +332,7 @@ class GrammarReader {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error == std::errc() && end == text.data() + text.size() && number >= at_least) return number;
-    report_value(key, "expected a whole number, " + std::string(what));
+    report_value(ErrorCode::WrongValue, key, {"a whole number, " + std::string(what)});
     return std::nullopt;
   }
 

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include <heckbert/taxonomy/dialect.h>
 #include <heckbert/taxonomy/expression.h>
 #include <heckbert/taxonomy/language.h>
 
@@ -41,18 +42,22 @@ constexpr const GrammarKindFacts& facts(GrammarKind kind) {
   return kGrammarKinds[static_cast<std::size_t>(kind)];
 }
 
+/// What stands in place of an expression that matches nothing.
+inline constexpr std::string_view kNoPath = "none";
+
 struct Grammar {
   GrammarKind kind = GrammarKind::Algorithm;
-  int order = 0;                    ///< place in listings, the order of teaching
-  std::optional<int> number;        ///< row in the table of algorithms, from 1; classes have none
-  bool is_core = false;             ///< one of the teaching set, which is what coverage shows when not asked for others
-  std::string name;                 ///< identifier, used as @name
-  std::string title;                ///< for people
-  std::string source;               ///< publication or document the grammar is taken from
-  std::string expression;           ///< as written, or "none"; for lights that can be hit when there are two
-  std::string expression_delta;     ///< for lights that cannot be hit, or "none"; empty for classes
-  std::string host;                 ///< of transformers: the algorithm whose language is theirs
-  std::vector<std::string> biases;  ///< right words, wrong value
+  int order = 0;                 ///< place in listings, the order of teaching
+  std::optional<int> number;     ///< row in the table of algorithms, from 1; classes have none
+  bool is_core = false;          ///< one of the teaching set, which is what coverage shows when not asked for others
+  std::string name;              ///< identifier, used as @name
+  std::string title;             ///< for people
+  std::string source;            ///< publication or document the grammar is taken from
+  std::string expression;        ///< as written, or "none"; for lights that can be hit when there are two
+  std::string expression_delta;  ///< for lights that cannot be hit, or "none"; empty for classes
+  Dialect dialect = Dialect::Heckbert;     ///< of the expression; files are in Heckbert's notation
+  std::string host;                        ///< of transformers: the algorithm whose language is theirs
+  std::vector<std::string> biases;         ///< right words, wrong value
   std::vector<std::string> variances;      ///< right words, right value, but noise beyond use
   std::vector<std::string> preconditions;  ///< what a scene must have for all this to hold
   std::string notes;

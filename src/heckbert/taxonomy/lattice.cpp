@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include <heckbert/taxonomy/dot.h>
 #include <heckbert/taxonomy/explain.h>
 
 namespace heckbert::taxonomy {
@@ -47,12 +48,6 @@ void set_levels(std::vector<LatticeNode>& nodes) {
       if (below[a][b]) nodes[b].level = std::max(nodes[b].level, nodes[a].level + 1);
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  return out + '"';
-}
-
 }  // namespace
 
 Lattice lattice(std::span<const NamedLanguage> languages) {
@@ -77,10 +72,10 @@ std::string dot(const Lattice& lattice) {
   for (std::size_t i = 0; i < lattice.nodes.size(); ++i) {
     std::string names;
     for (const std::string& name : lattice.nodes[i].names) names += (names.empty() ? "" : " = ") + name;
-    text += "  " + std::to_string(i) + " [label=" + quoted(names) + "];\n";
+    text += "  " + std::to_string(i) + " [label=" + dot_string(names) + "];\n";
   }
   for (const LatticeEdge& e : lattice.edges)
-    text += "  " + std::to_string(e.below) + " -> " + std::to_string(e.above) + " [label=" + quoted(plain(e.witness)) +
+    text += "  " + std::to_string(e.below) + " -> " + std::to_string(e.above) + " [label=" + dot_string(plain(e.witness)) +
             "];\n";
   return text + "}\n";
 }

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
+#include <heckbert/taxonomy/dialect_parser.h>
 #include <heckbert/taxonomy/error.h>
-#include <heckbert/taxonomy/expression_ends.h>
 #include <heckbert/taxonomy/expression_parser.h>
 #include <heckbert/taxonomy/live.h>
 #include <heckbert/taxonomy/tree_language.h>
@@ -180,27 +180,36 @@ bool has_operators(const Node& node) {
          node.kind == NodeKind::Complement || std::any_of(node.children.begin(), node.children.end(), has_operators);
 }
 
-// The largest subtrees of letters, each light -> eye. The expression is known to be sound.
-void collect_parts(const Node& node, ExpressionSource& source, std::vector<PartPhases>& parts) {
-  if (node.kind == NodeKind::Name) return;
-  if (has_operators(node) || node.kind == NodeKind::Alternation) {
-    for (const Node& child : node.children) collect_parts(child, source, parts);
-    return;
-  }
-  const auto direction = check_ends(node, source);
-  parts.push_back(
-      phases_of(direction == Direction::EyeToLight ? reversed(node) : node, source.text(node.offset, node.length)));
+// Which way round the letters of a sound expression are written; an undirected dialect may mean both.
+bool runs_from_light(const Node& node, Dialect dialect) {
+  if (facts(dialect).orientation == Orientation::CameraFirst) return false;
+  return !(language_of(node) & Language::universe()).is_empty();
 }
 
-}  // namespace
+// The largest subtrees of letters, each light -> eye.
+void collect_parts(const Node& node, Dialect dialect, std::string_view text, std::vector<PartPhases>& parts) {
+  if (node.kind == NodeKind::Name) return;
+  if (has_operators(node) || node.kind == NodeKind::Alternation) {
+    for (const Node& child : node.children) collect_parts(child, dialect, text, parts);
+    return;
+  }
+  parts.push_back(phases_of(runs_from_light(node, dialect) ? node : reversed(node),
+                            std::string(text.substr(node.offset, node.length))));
+}
 
-Phases phases(std::string_view text, const Names& names, std::string_view source_name) {
-  const Language language = compile(text, names, source_name);
-  ExpressionSource source{source_name, text, 0, text.size(), {}};
-  const Node tree = parse_expression(source);
-  Phases result;
-  write_tree(tree, 0, result.tree);
-  collect_parts(tree, source, result.parts);
+// The expression is known to be sound.
+FormPhases form_of(std::string_view text, Dialect dialect, std::string lights = {}) {
+  ExpressionSource source{"expression", text, 0, text.size(), {}};
+  const Node tree =
+      dialect == Dialect::Heckbert ? parse_expression(source) : parse_dialect(source, facts(dialect)).root;
+  FormPhases form{std::string(text), std::move(lights), {}, {}};
+  write_tree(tree, 0, form.tree);
+  collect_parts(tree, dialect, text, form.parts);
+  return form;
+}
+
+Phases phases_of(std::vector<FormPhases> forms, const Language& language) {
+  Phases result{std::move(forms), {}, 0};
   const std::vector<State>& states = language.states();
   for (StateId q = 0; q < states.size(); ++q) {
     if (states[q].accepting) result.minimal += std::to_string(q) + " accepts\n";
@@ -209,6 +218,24 @@ Phases phases(std::string_view text, const Names& names, std::string_view source
     result.states += !is_dead(language, q);
   }
   return result;
+}
+
+}  // namespace
+
+Phases phases(std::string_view text, Dialect dialect, const Names& names, std::string_view source) {
+  const Language language = read_expression(text, dialect, names, source).language;
+  return phases_of({form_of(text, dialect)}, language);
+}
+
+Phases phases(const Grammar& grammar) {
+  std::vector<FormPhases> forms;
+  const auto add = [&](const std::string& expression, const std::string& lights) {
+    if (!expression.empty() && expression != kNoPath) forms.push_back(form_of(expression, Dialect::Heckbert, lights));
+  };
+  const bool has_two = !grammar.expression_delta.empty();
+  add(grammar.expression, has_two ? "lights that a ray can hit, La and Le" : "");
+  add(grammar.expression_delta, "lights that no ray can hit, Lp and Ld");
+  return phases_of(std::move(forms), grammar.language);
 }
 
 }  // namespace heckbert::taxonomy

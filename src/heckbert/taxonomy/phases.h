@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include <heckbert/taxonomy/expression.h>
+#include <heckbert/taxonomy/dialect.h>
+#include <heckbert/taxonomy/grammar.h>
 
 namespace heckbert::taxonomy {
 
@@ -23,14 +24,26 @@ struct PartPhases {
   std::size_t deterministic;  ///< number of these sets, the empty one not counted
 };
 
-struct Phases {
-  std::string tree;  ///< one node a line, indented
+/// One expression. Grammars of algorithms have two, one for lights that a ray can hit and one for those that it cannot.
+struct FormPhases {
+  std::string expression;  ///< as written
+  std::string lights;      ///< which of the two, for people; empty when there is one for all lights
+  std::string tree;        ///< one node a line, indented
   std::vector<PartPhases> parts;
-  std::string minimal;  ///< "1 -D-> 2" a line, of the whole expression; states accept where marked
+};
+
+struct Phases {
+  std::vector<FormPhases> forms;
+  std::string minimal;  ///< "1 -D-> 2" a line, of the whole language; states accept where marked
   std::size_t states = 0;
 };
 
-/// Errors: as compile(), and LimitError beyond kMostPositions.
-Phases phases(std::string_view text, const Names& names = {}, std::string_view source = "expression");
+/// Of an expression. Letters of another dialect are shown as ours; of the strings that its parts match, those count
+/// that are whole paths. Errors: as read_expression(), and LimitError beyond kMostPositions.
+Phases phases(std::string_view text, Dialect dialect = Dialect::Heckbert, const Names& names = {},
+              std::string_view source = "expression");
+
+/// Of a grammar that has a language. Errors: LimitError.
+Phases phases(const Grammar& grammar);
 
 }  // namespace heckbert::taxonomy

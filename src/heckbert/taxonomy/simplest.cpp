@@ -1,6 +1,7 @@
 #include <heckbert/taxonomy/simplest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 #include <heckbert/taxonomy/error.h>
@@ -339,6 +340,8 @@ std::optional<std::string> simplest_expression(const Language& language) {
   std::optional<std::string> best = text_of(pieces);
   for (const auto& way : ways_to_share(pieces))
     if (auto text = text_of(way); text && (!best || text->size() < best->size())) best = std::move(text);
+  if (best && compile(*best) != words)
+    throw std::logic_error("internal error: '" + *best + "' is not the language that it was made from");
   return best;
 }
 

@@ -43,4 +43,10 @@ bool has_kind(const Node& tree, NodeKind kind) {
                                           [kind](const Node& child) { return has_kind(child, kind); });
 }
 
+bool is_word_tree(const Node& tree) {
+  for (const NodeKind kind : {NodeKind::Name, NodeKind::Both, NodeKind::Without, NodeKind::Complement, NodeKind::Bad})
+    if (has_kind(tree, kind)) return false;
+  return true;
+}
+
 }  // namespace heckbert::taxonomy

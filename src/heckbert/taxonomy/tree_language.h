@@ -16,4 +16,7 @@ Node reversed(Node tree);
 /// Whether a node of this kind is in the tree.
 bool has_kind(const Node& tree, NodeKind kind);
 
+/// Nothing but letters, sequences, alternatives and repetitions: no operators on whole paths, no names, no errors.
+bool is_word_tree(const Node& tree);
+
 }  // namespace heckbert::taxonomy

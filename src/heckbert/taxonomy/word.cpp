@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include <heckbert/taxonomy/characters.h>
-#include <heckbert/taxonomy/error.h>
+#include <heckbert/taxonomy/error_codes.h>
 #include <heckbert/taxonomy/label.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/taxonomy/utf8.h>
@@ -34,7 +34,7 @@ class WordReader {
 
   Word read() {
     std::vector<PlacedLetter> letters = read_letters();
-    if (letters.empty() && errors_.empty()) report(0, 1, "an empty word; expected a path such as LDE");
+    if (letters.empty() && errors_.empty()) report(ErrorCode::EmptyText, 0, 1, {"word", "LDE"});
     if (errors_.empty()) check_ends(letters);
     if (!errors_.empty()) throw InputError(errors_);
     if (is_eye(letters.front().letter.symbol)) std::reverse(letters.begin(), letters.end());
@@ -44,8 +44,9 @@ class WordReader {
   }
 
  private:
-  void report(std::size_t offset, std::size_t length, std::string message, std::string suggestion = {}) {
-    errors_.push_back(diagnose(kSource, text_, offset, length, std::move(message), std::move(suggestion)));
+  void report(ErrorCode code, std::size_t offset, std::size_t length,
+              std::initializer_list<std::string_view> values = {}, std::string suggestion = {}) {
+    errors_.push_back(diagnose(code, kSource, text_, offset, length, values, std::move(suggestion)));
   }
 
   std::vector<PlacedLetter> read_letters() {
@@ -75,14 +76,14 @@ class WordReader {
   std::size_t add_label(std::vector<PlacedLetter>& letters, std::size_t at) {
     const auto read = read_label(text_, at);
     if (!read) {
-      report(at, 1, "a label that is never closed; expected another " + std::string(1, text_[at]));
+      report(ErrorCode::NeverClosed, at, 1, {"the label", "another " + std::string(1, text_[at])});
       return text_.size() - at;
     }
     const bool is_behind = !letters.empty() && letters.back().offset + letters.back().length == at;
     if (!is_behind) {
-      if (errors_.empty()) report(at, read->length, "a label without its letter; it stands right behind one, D'wall'");
+      if (errors_.empty()) report(ErrorCode::LabelAlone, at, read->length);
     } else if (!may_be_labelled(letters.back().letter.symbol)) {
-      report(at, read->length, "the eye has no label; lights and events have");
+      report(ErrorCode::EyeLabelled, at, read->length);
     } else {
       letters.back().letter.label = read->label;
       letters.back().length += read->length;
@@ -91,35 +92,38 @@ class WordReader {
   }
 
   void report_letter(std::size_t at, std::size_t length) {
-    const std::string written(text_.substr(at, length));
+    const std::string written = quoted(text_.substr(at, length));
     const char upper = static_cast<char>(text_[at] - 'a' + 'A');
     if (find_symbol(text_[at], 0)) {
       const std::string known = subscripts_of(text_[at]);
-      report(at, length,
-             "'" + written + "' is no letter; expected " +
-                 (known.empty() ? std::string(1, text_[at]) + " without a subscript" : known));
+      report(ErrorCode::UnknownSubscript, at, length,
+             {written, known.empty() ? std::string(1, text_[at]) + " without a subscript" : known});
     } else if (is_lower(text_[at]) && find_symbol(upper, 0)) {
-      report(at, length, "letters of a word are upper case", std::string("did you mean '") + upper + "'?");
+      report(ErrorCode::SmallLetter, at, length, {written}, did_you_mean(std::string_view(&upper, 1)));
     } else if (std::string_view("XN.*+?()[]{}|").find(text_[at]) != std::string_view::npos) {
-      report(at, length, "'" + written + "' stands for several words; a word has the letters L, D, G, S, V, E only");
+      report(ErrorCode::SeveralWords, at, length, {written});
     } else {
-      report(at, length, "unknown letter; a word has the letters L, D, G, S, V, E");
+      report(ErrorCode::UnknownLetter, at, length, {written, "L, D, G, S, V or E"});
     }
   }
 
   void check_ends(const std::vector<PlacedLetter>& letters) {
     for (std::size_t i = 1; i + 1 < letters.size(); ++i)
       if (!is_event(letters[i].letter.symbol))
-        report(letters[i].offset, letters[i].length, "an end in the middle of a word; expected D, G, S or V");
+        report(ErrorCode::EndInside, letters[i].offset, letters[i].length, {written(letters[i])});
     const PlacedLetter &first = letters.front(), &last = letters.back();
     const bool events_at_ends = is_event(first.letter.symbol) || is_event(last.letter.symbol);
-    if (is_event(first.letter.symbol))
-      report(first.offset, first.length, "a word begins at its light (L) or at its eye (E)");
-    if (is_event(last.letter.symbol))
-      report(last.offset, last.length, "a word ends at its eye (E) or at its light (L)");
+    const auto report_event = [&](const PlacedLetter& letter, std::string_view place) {
+      report(ErrorCode::EventAtEnd, letter.offset, letter.length, {written(letter), place, "L or E"});
+    };
+    if (is_event(first.letter.symbol)) report_event(first, "beginning");
+    if (is_event(last.letter.symbol)) report_event(last, "end");
     if (!events_at_ends && facts(first.letter.symbol).role == facts(last.letter.symbol).role)
-      report(last.offset, last.length, "both ends are alike; a path has one light end L and one eye end E");
+      report(ErrorCode::EqualEnds, last.offset, last.length,
+             {is_light(last.letter.symbol) ? "light ends (L)" : "eye ends (E)"});
   }
+
+  std::string written(const PlacedLetter& letter) const { return quoted(text_.substr(letter.offset, letter.length)); }
 
   std::string_view text_;
   std::vector<Diagnostic> errors_;

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/asked_record.h>
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
-#include <heckbert/cli/files.h>
 #include <heckbert/cli/languages.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/record/statistics.h>
@@ -27,7 +27,7 @@ struct ClassifyFlags {
 };
 
 void declare(CLI::App& command, ClassifyFlags& options) {
-  command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
+  add_record(command, options.record);
   command.add_option("--by", options.by, "what to group by (default: word)")
       ->type_name(alternatives(report::kGroupings));
   add_count(command, "--top", options.top, fmt::format("groups in the table; 0 for all (default: {})", options.top));
@@ -44,12 +44,10 @@ ExitCode run(const ClassifyFlags& options) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
   const report::GroupBy by = choose_flag("--by", options.by, report::kGroupings).by;
-  const record::Record record = read_record(options.record);
+  const record::Record record = open_record(options.record, console);
 
   const report::ClassifyOptions how{.glossy_rule = settings.glossy, .confidence = settings.confidence};
   const std::vector<report::WordGroup> groups = report::classify(record, by, teaching_library(), how);
-  console.detail(report::summary(record.info));
-  for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
   const double luminance = record::energy(record, std::vector<bool>(record.words.size(), true)).mean;
   if (const std::string ended = report::termination(record.info, record.tally, luminance); !ended.empty())
     console.note(ended);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/asked_record.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
@@ -29,8 +30,8 @@ struct CoverageFlags {
 };
 
 void declare(CLI::App& command, CoverageFlags& options) {
-  command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
-  command.add_option("--grammar", options.grammars, kGrammarsHelp)->type_name("GRAMMAR")->allow_extra_args(false);
+  add_record(command, options.record);
+  add_grammars(command, options.grammars);
   add_count(command, "--top", options.top, fmt::format("words listed per grammar (default: {})", options.top));
   command.add_flag("--fine", options.fine, "words with subscripts, such as LaDrStEp");
   command.add_option("--sheet", options.sheet, "a contact sheet: what each grammar captures and misses")

@@ -6,7 +6,7 @@
 
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
-#include <heckbert/cli/commands/grammar/operands.h>
+#include <heckbert/cli/never.h>
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/languages.h>
 #include <heckbert/cli/settings.h>
@@ -73,7 +73,7 @@ ExitCode run(const MatchOptions& options) {
     }
   }
   if (options.json) fmt::print("{}", report::dump(json));
-  console.note(never_text({options.expression, language}));
+  console.note(never_text(grammar, settings.glossy));
   if (!errors.empty()) throw InputError(std::move(errors));
   return all_match ? ExitCode::Done : ExitCode::No;
 }

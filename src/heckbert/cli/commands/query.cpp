@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/asked_record.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
@@ -28,7 +29,7 @@ struct QueryOptions {
 };
 
 void declare(CLI::App& command, QueryOptions& options) {
-  command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
+  add_record(command, options.record);
   command.add_option("EXPR", options.classes, "expression, @name or .grammar file; NAME=EXPR gives the layer a name")
       ->required();
   command.add_option("-o,--output", options.output, "pictures as OpenEXR: one EXPR as R, G, B; several as layers")
@@ -53,7 +54,7 @@ ExitCode run(const QueryOptions& options) {
   for (const std::string& name : {options.output, options.preview})
     if (!name.empty()) check_writable(name);
   const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "EXPR", settings);
-  const record::Record record = read_record(options.record);
+  const record::Record record = open_record(options.record, console);
 
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   const bool single_unnamed = classes.size() == 1 && options.classes.front().find('=') == std::string::npos;
@@ -63,9 +64,8 @@ ExitCode run(const QueryOptions& options) {
   if (!options.preview.empty())
     write_bytes(options.preview, png_of(layers.front().image, report::auto_exposure(record::beauty(record))));
 
-  console.detail(report::summary(record.info));
   console.detail("glossy bounces: " + report::describe(settings.glossy));
-  for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
+  for (const ClassOfRecord& item : classes) console.note(item.never);
   if (options.json) {
     report::Json json = report::document_of("heckbert.query");
     json["render"] = report::to_json(record.info);

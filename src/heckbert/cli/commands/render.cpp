@@ -152,7 +152,10 @@ void tell_result(const Console& console, const record::Record& record, const Wor
                            work.seconds, work.seconds > 0 ? static_cast<double>(work.rays) / work.seconds / 1e6 : 0,
                            report::counted(record.words.size(), "word")));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
-  for (const ClassOfRecord& item : classes) console.note(describe(item));
+  for (const ClassOfRecord& item : classes) {
+    console.note(describe(item));
+    console.note(item.never);
+  }
 }
 
 void write_outputs(const Outputs& outputs, const record::Record& record, const std::vector<ClassOfRecord>& classes,

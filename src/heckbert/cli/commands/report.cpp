@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/asked_record.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
@@ -27,11 +28,11 @@ struct ReportOptions {
 };
 
 void declare(CLI::App& command, ReportOptions& options) {
-  command.add_option("RECORD", options.record, "a record written by 'heckbert render --record'")->required();
+  add_record(command, options.record);
   command.add_option("-o,--output", options.output, "the page; it needs no other file")
       ->type_name("FILE.html")
       ->required();
-  command.add_option("--grammar", options.grammars, kGrammarsHelp)->type_name("GRAMMAR")->allow_extra_args(false);
+  add_grammars(command, options.grammars);
   command.add_option("--sheet", options.sheet, "also the contact sheet as a PNG")->type_name("FILE.png");
   command.add_flag("--json", options.json, "print the names of the files as JSON");
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});

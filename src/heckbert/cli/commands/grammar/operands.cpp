@@ -4,6 +4,7 @@
 
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/languages.h>
+#include <heckbert/cli/never.h>
 
 namespace heckbert::cli {
 namespace {
@@ -54,7 +55,7 @@ std::vector<Operand> operands(const std::vector<std::string>& texts, const Setti
   const std::vector<taxonomy::Grammar> grammars = find_grammars(texts, "argument", settings);
   std::vector<Operand> list;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    list.push_back({texts[i], taxonomy::apply(settings.glossy, grammars[i].language)});
+    list.push_back({texts[i], taxonomy::apply(settings.glossy, grammars[i].language), grammars[i], settings.glossy});
   return list;
 }
 
@@ -99,8 +100,7 @@ report::Json to_json(const taxonomy::Conditions& conditions) {
 }
 
 std::string never_text(const Operand& operand, const taxonomy::Conditions& conditions) {
-  const auto reason = taxonomy::why_never(operand.language, conditions);
-  return reason ? fmt::format("'{}' can never match, because {}", operand.text, *reason) : "";
+  return never_text(operand.grammar, operand.rule, conditions);
 }
 
 }  // namespace heckbert::cli

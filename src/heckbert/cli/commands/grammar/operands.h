@@ -8,6 +8,8 @@
 
 #include <heckbert/cli/settings.h>
 #include <heckbert/report/json_parts.h>
+#include <heckbert/taxonomy/glossy_rule.h>
+#include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/possible.h>
 
 namespace heckbert::cli {
@@ -16,6 +18,8 @@ namespace heckbert::cli {
 struct Operand {
   std::string text;
   taxonomy::Language language;
+  taxonomy::Grammar grammar;  ///< what it was before the rule was applied
+  taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep;
 };
 
 /// Errors: as find_grammars.

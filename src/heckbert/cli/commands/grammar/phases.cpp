@@ -5,6 +5,8 @@
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/grammar/questions.h>
 #include <heckbert/cli/console.h>
+#include <heckbert/cli/languages.h>
+#include <heckbert/cli/settings.h>
 #include <heckbert/report/json_parts.h>
 #include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/phases.h>
@@ -19,34 +21,51 @@ struct PhasesOptions {
 };
 
 void declare(CLI::App& command, PhasesOptions& options) {
-  command.add_option("EXPR", options.expression, "an expression; a name is written @name")->required();
+  command.add_option("EXPR", options.expression, "name, .grammar file or expression")->required();
   command.add_flag("--json", options.json, "print as JSON");
-  add_settings(command, options.flags, {});
+  add_settings(command, options.flags, {Scope::Dialect});
+}
+
+taxonomy::Phases phases_of(const std::string& text, const Settings& settings) {
+  const taxonomy::Grammar grammar = find_grammar(text, "EXPR", settings);
+  if (grammar.expression != text) return taxonomy::phases(grammar);
+  return taxonomy::phases(text, settings.dialect, taxonomy::builtin_grammars().names(), "EXPR");
+}
+
+report::Json to_json(const taxonomy::FormPhases& form) {
+  report::Json json{{"expression", form.expression}, {"lights", form.lights}, {"tree", form.tree}};
+  json["parts"] = report::Json::array();
+  for (const taxonomy::PartPhases& part : form.parts)
+    json["parts"].push_back({{"expression", part.expression},
+                             {"positions", part.positions},
+                             {"subsets", part.subsets},
+                             {"deterministic", part.deterministic}});
+  return json;
 }
 
 ExitCode run(const PhasesOptions& options) {
-  const Console console(resolve(options.flags));
-  const taxonomy::Phases phases = taxonomy::phases(options.expression, taxonomy::builtin_grammars().names(), "EXPR");
+  const Settings settings = resolve(options.flags);
+  const Console console(settings);
+  const taxonomy::Phases phases = phases_of(options.expression, settings);
   if (options.json) {
     report::Json json = report::document_of("heckbert.grammar_phases");
     json["expression"] = options.expression;
-    json["tree"] = phases.tree;
-    json["parts"] = report::Json::array();
-    for (const taxonomy::PartPhases& part : phases.parts)
-      json["parts"].push_back({{"expression", part.expression},
-                               {"positions", part.positions},
-                               {"subsets", part.subsets},
-                               {"deterministic", part.deterministic}});
+    json["dialect"] = taxonomy::facts(settings.dialect).name;
+    json["forms"] = report::Json::array();
+    for (const taxonomy::FormPhases& form : phases.forms) json["forms"].push_back(to_json(form));
     json["minimal"] = phases.minimal;
     json["states"] = phases.states;
     fmt::print("{}", report::dump(json));
     return ExitCode::Done;
   }
-  fmt::print("Tree\n{}", phases.tree);
-  for (const taxonomy::PartPhases& part : phases.parts)
-    fmt::print("\nLetters of {}, and which may follow\n{}\nDeterministic: {} sets of letters\n{}", part.expression,
-               part.positions, part.deterministic, part.subsets);
-  fmt::print("\nMinimal: {} states\n{}", phases.states, phases.minimal);
+  for (const taxonomy::FormPhases& form : phases.forms) {
+    if (!form.lights.empty()) fmt::print("{}, for {}\n\n", form.expression, form.lights);
+    fmt::print("Tree\n{}\n", form.tree);
+    for (const taxonomy::PartPhases& part : form.parts)
+      fmt::print("Letters of {}, and which may follow\n{}\nDeterministic: {} sets of letters\n{}\n", part.expression,
+                 part.positions, part.deterministic, part.subsets);
+  }
+  fmt::print("Minimal: {} states\n{}", phases.states, phases.minimal);
   return ExitCode::Done;
 }
 

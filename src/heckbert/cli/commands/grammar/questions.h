@@ -25,5 +25,6 @@ void add_grammar_minimize(CLI::App& family, Run& chosen);
 void add_grammar_strategies(CLI::App& family, Run& chosen);
 void add_grammar_lattice(CLI::App& family, Run& chosen);
 void add_grammar_phases(CLI::App& family, Run& chosen);
+void add_grammar_errors(CLI::App& family, Run& chosen);
 
 }  // namespace heckbert::cli

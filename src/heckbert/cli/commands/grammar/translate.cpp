@@ -13,6 +13,7 @@
 #include <heckbert/cli/settings.h>
 #include <heckbert/report/json_parts.h>
 #include <heckbert/taxonomy/dialect.h>
+#include <heckbert/taxonomy/error_codes.h>
 
 namespace heckbert::cli {
 namespace {
@@ -63,8 +64,7 @@ std::string_view owner(const Translation& t, const TranslateOptions& options) {
 
 std::vector<std::string> warnings_of(const Translation& t, const TranslateOptions& options) {
   std::vector<std::string> warnings;
-  for (const Diagnostic& d : t.reading.warnings)
-    warnings.push_back(d.message + (d.suggestion.empty() ? "" : "; " + d.suggestion));
+  for (const Diagnostic& d : t.reading.warnings) warnings.push_back(taxonomy::warning_text(d));
   if (t.differs_on)
     warnings.push_back(fmt::format("the same text means something else in {}: {} is in it under {} only",
                                    options.to->title, show(*t.differs_on),

@@ -1,0 +1,25 @@
+#include <heckbert/cli/asked_record.h>
+
+#include <heckbert/cli/files.h>
+#include <heckbert/report/facts.h>
+
+namespace heckbert::cli {
+
+void add_record(CLI::App& command, std::string& name) {
+  command.add_option("RECORD", name, "a record written by 'heckbert render --record'")->required();
+}
+
+void add_grammars(CLI::App& command, std::vector<std::string>& texts) {
+  command.add_option("--grammar", texts, "name, .grammar file, expression or 'all' (default: the teaching set)")
+      ->type_name("GRAMMAR")
+      ->allow_extra_args(false);
+}
+
+record::Record open_record(const std::string& name, const Console& console) {
+  record::Record record = read_record(name);
+  console.detail(report::summary(record.info));
+  for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
+  return record;
+}
+
+}  // namespace heckbert::cli

@@ -1,0 +1,24 @@
+#pragma once
+// What the commands that ask a record have in common: the argument that names it, the grammars it is asked for, and what
+// is said about it before the answer.
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <heckbert/cli/console.h>
+#include <heckbert/record/record.h>
+
+namespace heckbert::cli {
+
+/// Adds the argument RECORD.
+void add_record(CLI::App& command, std::string& name);
+
+/// Adds --grammar, for the texts of find_to_cover().
+void add_grammars(CLI::App& command, std::vector<std::string>& texts);
+
+/// The record, once the console has what it was rendered from and what is wrong with it. Errors: ReadError.
+record::Record open_record(const std::string& name, const Console& console);
+
+}  // namespace heckbert::cli
