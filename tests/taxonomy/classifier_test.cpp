@@ -176,6 +176,55 @@ TEST(Classifier, HoldsMoreLanguagesThanABlockHasBits) {
   }
 }
 
+/// "touches object i", which are independent of one another.
+std::vector<Language> touching(int objects) {
+  std::vector<Language> languages;
+  for (int i = 0; i < objects; ++i) languages.push_back(compile("L .* .'o" + std::to_string(i) + "' .* E"));
+  return languages;
+}
+
+TEST(Classifier, OfTenObjectsTouchedStaysSmall) {
+  const Classifier classifier(touching(10));
+  EXPECT_EQ(classifier.group_count(), 1u);
+  EXPECT_EQ(classifier.state_count(), 1u + 1024 + 1024);  // the start; before and after the eye, which were touched
+}
+
+TEST(Classifier, OfFortyObjectsTouchedIsWalkedInGroups) {
+  const auto languages = touching(40);
+  for (const WalkFrom from : {WalkFrom::Light, WalkFrom::Eye}) {
+    const Classifier classifier(languages, from);
+    EXPECT_EQ(classifier.group_count(), 4u);
+    const Symbol first = from == WalkFrom::Light ? Symbol::La : Symbol::Ep;
+    const Symbol last = from == WalkFrom::Light ? Symbol::Ep : Symbol::La;
+    auto at = classifier.step(classifier.start(), first);
+    for (const char* object : {"o3", "o39", "table", "o12", "o3"})
+      at = classifier.step(at, Symbol::Dr, classifier.label_class(object));
+    at = classifier.step(classifier.step(at, Symbol::Sr), last);
+    std::vector<std::size_t> touched;
+    classifier.for_each_member(at, [&](std::size_t i) { touched.push_back(i); });
+    EXPECT_EQ(touched, (std::vector<std::size_t>{3, 12, 39}));
+    Membership expected(40);
+    for (const std::size_t i : touched) expected[i] = true;
+    EXPECT_EQ(classifier.classify(parse_word("LD'o3'D'o39'D'table'D'o12'SE")), expected);
+  }
+}
+
+TEST(Classifier, TellsUnlabelledEventsFromOthers) {
+  const std::vector<Language> languages{compile("L D[^'a'] E"), compile("L D'' E"), compile("L D'a' E")};
+  const Classifier classifier(languages);
+  for (const char* text : {"LDE", "LD'a'E", "LD'b'E"}) {
+    const Word word = parse_word(text);
+    Membership expected;
+    for (const Language& language : languages) expected.push_back(language.contains(word));
+    EXPECT_EQ(classifier.classify(word), expected) << text;
+    auto at = classifier.step(classifier.start(), Symbol::La);
+    at = word.labels.empty() ? classifier.step(at, Symbol::Dr)
+                             : classifier.step(at, Symbol::Dr, classifier.label_class(word.label(1)));
+    at = classifier.step(at, Symbol::Ep);
+    EXPECT_EQ(outcomes_at(classifier, at), expected) << text;
+  }
+}
+
 TEST(Classifier, OfNoLanguagesAnswersNothing) {
   const Classifier classifier({});
   EXPECT_EQ(classifier.language_count(), 0u);

@@ -45,7 +45,8 @@ Classifier::Classifier(std::span<const Language> languages, WalkFrom from, std::
     unlabelled_[index(f.symbol)] = columns_.of[Alphabet::column(f.symbol, label_class(kUnlabelled))];
   std::vector<FusedAutomaton> single;
   for (std::size_t i = 0; i < languages.size(); ++i) single.emplace_back(languages[i], columns_, i, languages.size());
-  for (FusedAutomaton& automaton : fuse_neighbours(single, std::min(state_budget, kFusedStates))) {
+  const std::size_t most = std::min({state_budget, kFusedStates, kTableBudget / columns_.count});
+  for (FusedAutomaton& automaton : fuse_neighbours(single, most)) {
     const auto bits = static_cast<unsigned>(std::bit_width(automaton.state_count() - 1));
     groups_.push_back({std::move(automaton), prefix_bits_, (Prefix{1} << bits) - 1});
     prefix_bits_ += bits;
@@ -66,7 +67,7 @@ Membership Classifier::classify(const Word& word) const {
   if (from_ == WalkFrom::Eye) std::reverse(letters.begin(), letters.end());
   for (const Group& g : groups_) {
     StateId at = 0;
-    for (const std::size_t column : letters) at = g.automaton.step(at, column);
+    for (const Letter& letter : letters) at = g.automaton.step(at, columns_.of[columns_.alphabet.column(letter)]);
     const auto bits = g.automaton.members(g.automaton.outcome(at));
     for (std::size_t i = 0; i < language_count_; ++i)
       if (bits[i / 64] >> i % 64 & 1) membership[i] = true;

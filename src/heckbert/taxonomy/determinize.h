@@ -12,11 +12,9 @@
 
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/language.h>
+#include <heckbert/taxonomy/work.h>
 
 namespace heckbert::taxonomy {
-
-/// Moves of the nondeterministic automaton that subset construction may follow: a fraction of a second.
-inline constexpr std::size_t kMoveBudget = 10'000'000;
 
 /// Throws LimitError when an automaton of this many states over this alphabet is larger than any may be.
 inline void check_state_budget(std::size_t states, const Alphabet& alphabet) {
@@ -30,7 +28,13 @@ inline void check_state_budget(std::size_t states, const Alphabet& alphabet) {
 /// The set of states being built; each state enters once.
 class Subset {
  public:
-  explicit Subset(std::size_t universe) : entered_(universe, 0) {}
+  explicit Subset(std::size_t universe) {
+    work_.spend(universe / 8);
+    entered_.resize(universe, 0);
+  }
+
+  /// The set is about to be looked up.
+  void spend(std::size_t steps) { work_.spend(steps); }
 
   void clear() {
     members_.clear();
@@ -38,8 +42,7 @@ class Subset {
   }
   /// False when q was in already.
   bool insert(StateId q) {
-    if (++moves_ > kMoveBudget)
-      throw LimitError("building the automaton takes more than " + std::to_string(kMoveBudget) + " steps");
+    work_.spend(1);
     if (entered_[q] == round_) return false;
     entered_[q] = round_;
     members_.push_back(q);
@@ -54,7 +57,7 @@ class Subset {
   std::vector<std::uint32_t> entered_;
   std::vector<StateId> members_;
   std::uint32_t round_ = 1;
-  std::size_t moves_ = 0;
+  WorkLimit work_{kOperationSteps};
 };
 
 struct SubsetHash {
@@ -74,7 +77,8 @@ std::vector<std::size_t> twin_columns(const std::vector<const Language*>& automa
 /// The minimal language over `alphabet` of the automaton with states 0 .. size-1 that starts in what `start(subset)`
 /// inserts, goes from q with a letter of column c to what `step(q, c, subset)` inserts and accepts in q when
 /// `accepts(q)`. `twins` names for each column an earlier one with the same steps, or itself. Errors: LimitError beyond
-/// kStateBudget states, kTableBudget moves in the result or kMoveBudget insertions.
+/// kStateBudget states or kTableBudget moves in the
+/// result, or when the work runs out.
 template <class Start, class Step, class Accepts>
 Language determinize(std::size_t size, const Alphabet& alphabet, const std::vector<std::size_t>& twins, Start start,
                      Step step, Accepts accepts) {
@@ -102,6 +106,7 @@ Language determinize(std::size_t size, const Alphabet& alphabet, const std::vect
         continue;
       }
       subset.clear();
+      subset.spend(4 + set.size());
       for (const StateId q : set) step(q, c, subset);
       state.next[c] = enter();
     }

@@ -1,11 +1,14 @@
 #include <heckbert/taxonomy/dialect_reader.h>
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include <heckbert/taxonomy/characters.h>
 #include <heckbert/taxonomy/dialect_parser.h>
+#include <heckbert/taxonomy/expression_ends.h>
 #include <heckbert/taxonomy/expression_parser.h>
+#include <heckbert/taxonomy/joins.h>
 #include <heckbert/taxonomy/tree_language.h>
 
 namespace heckbert::taxonomy {
@@ -16,40 +19,55 @@ ExpressionSource source_of(std::string_view name, std::string_view text) {
   return {name, text, 0, text.size(), {}};
 }
 
-// The language of a tree as written, cut down to whole paths.
-Language paths(const Node& tree, Orientation orientation) {
+// The tree with its words from light to eye; nothing when the dialect leaves the direction open and the words of one
+// of its word trees do not all run the same way.
+std::optional<Node> from_light(const Node& tree, Orientation orientation, const ExpressionSource& source) {
+  if (!is_word_tree(tree)) {
+    Node turned = tree;
+    for (Node& child : turned.children) {
+      auto one = from_light(child, orientation, source);
+      if (!one) return std::nullopt;
+      child = std::move(*one);
+    }
+    return turned;
+  }
+  if (orientation == Orientation::CameraFirst) return reversed(tree);
+  ExpressionSource unreported = source_of(source.name, source.document);
+  const auto direction = check_ends(tree, unreported);
+  if (!direction) return std::nullopt;
+  return *direction == Direction::EyeToLight ? reversed(tree) : tree;
+}
+
+Language paths(const Node& tree, Orientation orientation, const ExpressionSource& source);
+
+Language paths_unplaced(const Node& tree, Orientation orientation, const ExpressionSource& source) {
   switch (tree.kind) {
     case NodeKind::Complement:
-      return !paths(tree.children[0], orientation);
+      return !paths(tree.children[0], orientation, source);
     case NodeKind::Both:
-      return paths(tree.children[0], orientation) & paths(tree.children[1], orientation);
+      return paths(tree.children[0], orientation, source) & paths(tree.children[1], orientation, source);
     case NodeKind::Without:
-      return paths(tree.children[0], orientation) - paths(tree.children[1], orientation);
+      return paths(tree.children[0], orientation, source) - paths(tree.children[1], orientation, source);
     case NodeKind::Alternation:
       if (!is_word_tree(tree)) {
-        Language all = Language::none();
-        for (const Node& child : tree.children) all = all | paths(child, orientation);
-        return all;
+        std::deque<Language> languages;
+        std::vector<const Language*> parts;
+        for (const Node& child : tree.children)
+          parts.push_back(&languages.emplace_back(paths(child, orientation, source)));
+        return unite(parts);
       }
       break;
     default:
       break;
   }
-  Language from_eye = language_of(reversed(tree)) & Language::universe();
-  if (orientation == Orientation::CameraFirst) return from_eye;
-  return from_eye | (language_of(tree) & Language::universe());
+  const auto within_universe = [](const Node& node) { return language_of(node) & Language::universe(); };
+  if (const auto word = from_light(tree, orientation, source)) return within_universe(*word);
+  return within_universe(tree) | within_universe(reversed(tree));
 }
 
-// Every word tree of the tree turned so that it runs from the light; an undirected dialect may write it either way.
-Node from_light(const Node& tree, Orientation orientation) {
-  if (!is_word_tree(tree)) {
-    Node turned = tree;
-    for (Node& child : turned.children) child = from_light(child, orientation);
-    return turned;
-  }
-  const bool is_from_light =
-      orientation == Orientation::Either && !(language_of(tree) & Language::universe()).is_empty();
-  return is_from_light ? tree : reversed(tree);
+// The language of a tree as written, cut down to whole paths.
+Language paths(const Node& tree, Orientation orientation, const ExpressionSource& source) {
+  return place_limits(tree, [&] { return paths_unplaced(tree, orientation, source); });
 }
 
 // The text with all edits made; nothing when two of them touch.
@@ -86,7 +104,7 @@ void propose_repair(ExpressionSource& source, const DialectTree& parsed, const D
 ReadingWithTree read_heckbert(std::string_view text, const Names& names, std::string_view name) {
   ReadingWithTree result{{compile(text, names, name), {}, {}}, {}};
   ExpressionSource source = source_of(name, text);
-  result.tree = from_light(parse_expression(source), Orientation::Either);
+  result.tree = from_light(parse_expression(source), Orientation::Either, source);
   return result;
 }
 
@@ -105,15 +123,12 @@ ReadingWithTree read_with_tree(std::string_view text, Dialect dialect, const Nam
   result.reading.prefixes = std::move(parsed.prefixes);
   result.reading.warnings = std::move(parsed.warnings);
   const Orientation orientation = facts_of_dialect.orientation;
+  const WorkLimit limit(kCompileSteps);
   try {
-    result.reading.language = paths(parsed.root, orientation);
-    result.tree = from_light(parsed.root, orientation);
-  } catch (const LimitError& error) {
-    const std::string shown = std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "");
-    std::string message =
-        format(diagnose(ErrorCode::TooLarge, name, text, 0, text.size(), {quoted(shown), error.what()}));
-    message.pop_back();  // the newline
-    throw LimitError(message);
+    result.reading.language = paths(parsed.root, orientation, source);
+    result.tree = from_light(parsed.root, orientation, source);
+  } catch (const PlacedLimitError& error) {
+    throw_too_large(source, error);
   }
   if (result.reading.language.is_empty())
     result.reading.warnings.push_back(

@@ -10,7 +10,9 @@ namespace heckbert::taxonomy {
 
 struct ReadingWithTree {
   Reading reading;
-  Node tree;  ///< whole paths run from light to eye; above them stand operators on whole paths, beside them names
+  /// Whole paths run from light to eye; above them stand operators on whole paths, beside them names. Nothing where the
+  /// paths of a dialect that may be written either way do not all run the same way.
+  std::optional<Node> tree;
 };
 
 /// Errors: as read_expression.

@@ -18,7 +18,8 @@ void DialectText::report(ErrorCode code, std::size_t offset, std::size_t length,
 }
 
 void DialectText::warn(ErrorCode code, std::size_t offset, std::size_t length) {
-  tree.warnings.push_back(diagnose(code, source.name, source.document, offset, length));
+  if (tree.warnings.size() < ExpressionSource::kMostErrors)
+    tree.warnings.push_back(diagnose(code, source.name, source.document, offset, length));
 }
 
 void DialectText::trim() {

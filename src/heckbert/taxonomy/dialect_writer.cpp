@@ -108,7 +108,7 @@ std::optional<std::string> path_text(const Language& language, Dialect dialect) 
     auto text = made ? checked(*made, language, dialect) : std::nullopt;
     if (text && (!best || text->size() < best->size())) best = std::move(text);
   };
-  if (const auto text = simplest_expression(language)) offer(read_with_tree(*text, Dialect::Heckbert, {}, "").tree);
+  if (const auto text = simplest_expression(language)) offer(*read_with_tree(*text, Dialect::Heckbert, {}, "").tree);
   // From the eye, lights differ at the end only, where letters such as L and O that share symbols can be joined.
   if (!best)
     if (auto made = regular_expression(reverse(language))) offer(reversed(std::move(*made)));
@@ -193,7 +193,7 @@ Writing write_expression(const Language& language, Dialect dialect) {
 Translation translate(std::string_view text, Dialect from, Dialect to, const Names& names, std::string_view source) {
   ReadingWithTree read = read_with_tree(text, from, names, source);
   Translation result;
-  result.writing = Writer(to, names).write(read.reading.language, &read.tree);
+  result.writing = Writer(to, names).write(read.reading.language, read.tree ? &*read.tree : nullptr);
   result.reading = std::move(read.reading);
   try {
     const Language there = read_expression(text, to, names, source).language;

@@ -34,7 +34,8 @@ struct Names {
 };
 
 /// Parses and compiles. `source` names the text in errors. The result is a subset of universe().
-/// Errors: InputError with all errors of the text; LimitError naming the sub-expression that exceeds the state budget.
+/// Errors: InputError with all errors of the text; LimitError naming the sub-expression that is too large
+/// or takes too much work (work.h); no text of ten thousand characters takes more than some 60 ms.
 Language compile(std::string_view text, const Names& names = {}, std::string_view source = "expression");
 
 }  // namespace heckbert::taxonomy

@@ -8,7 +8,7 @@
 namespace heckbert::taxonomy {
 
 /// The language of the source's expression; nothing when it has errors, which are then in source.errors.
-/// Errors: LimitError naming the sub-expression that exceeds the state budget.
+/// Errors: LimitError naming the sub-expression that is too large or takes too much work.
 std::optional<Language> compile(ExpressionSource& source, const Names& names);
 
 }  // namespace heckbert::taxonomy

@@ -20,9 +20,16 @@ struct ExpressionSource {
   std::size_t end = 0;
   std::vector<Diagnostic> errors;
 
+  /// A text that is garbage has an error in every character, and each error shows the text.
+  static constexpr std::size_t kMostErrors = 100;
+
   void report(ErrorCode code, std::size_t offset, std::size_t length,
               std::initializer_list<std::string_view> values = {}, std::string suggestion = {}) {
-    errors.push_back(diagnose(code, name, document, offset, length, values, std::move(suggestion)));
+    if (errors.size() > kMostErrors) return;
+    if (errors.size() == kMostErrors)
+      errors.push_back(diagnose(name, document, offset, length, "too many errors; what follows here is not listed"));
+    else
+      errors.push_back(diagnose(code, name, document, offset, length, values, std::move(suggestion)));
   }
   std::string text(std::size_t offset, std::size_t length) const {
     return std::string(document.substr(offset, length));

@@ -27,23 +27,21 @@ class PairNumbering {
 
 }  // namespace
 
+// Refined language by language: letters stay together as long as no language sends them to different places.
 Columns shared_columns(std::span<const Language> languages) {
   Columns columns;
   for (const Language& language : languages) columns.alphabet = joined(columns.alphabet, language.alphabet());
-  std::vector<const Language*> automata;
-  std::vector<std::vector<std::size_t>> within;
-  for (const Language& language : languages) {
-    automata.push_back(&language);
-    within.push_back(columns_within(language.alphabet(), columns.alphabet));
-  }
   columns.of.resize(columns.alphabet.size());
-  if (languages.empty()) {
-    columns.count = 1;
-    return columns;
+  columns.count = 1;
+  for (const Language& language : languages) {
+    const std::vector<std::size_t> within = columns_within(language.alphabet(), columns.alphabet);
+    const std::vector<std::size_t> twins =
+        twin_columns({&language}, {columns_within(language.alphabet(), language.alphabet())});
+    PairNumbering refined;
+    for (std::size_t c = 0; c < within.size(); ++c)
+      columns.of[c] = static_cast<std::uint16_t>(refined.number(columns.of[c], twins[within[c]]));
+    columns.count = refined.pairs().size();
   }
-  const std::vector<std::size_t> twins = twin_columns(automata, within);
-  for (std::size_t c = 0; c < columns.of.size(); ++c)
-    columns.of[c] = twins[c] < c ? columns.of[twins[c]] : static_cast<std::uint16_t>(columns.count++);
   return columns;
 }
 

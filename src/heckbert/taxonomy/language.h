@@ -73,7 +73,7 @@ class Language {
   std::vector<State> states_;
 };
 
-// Every operation throws LimitError when it would exceed `kStateBudget` states, within a fraction of a second.
+// Every operation throws LimitError when it would exceed `kStateBudget` states or takes more work than it may (work.h).
 Language operator|(const Language& a, const Language& b);
 Language operator&(const Language& a, const Language& b);
 Language operator-(const Language& a, const Language& b);

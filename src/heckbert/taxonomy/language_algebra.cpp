@@ -33,7 +33,9 @@ std::vector<State> walk_pairs(const Language& a, const Language& b, const Common
                               bool stop_at_accepting = false) {
   std::vector<std::pair<StateId, StateId>> pairs;
   std::unordered_map<std::uint64_t, StateId> number;
+  WorkLimit work(kOperationSteps);
   const auto enter = [&](StateId p, StateId q) {
+    work.spend(8);
     const auto [at, is_new] = number.try_emplace(std::uint64_t{p} << 32 | q, static_cast<StateId>(pairs.size()));
     if (is_new) {
       check_state_budget(pairs.size() + 1, common.alphabet);
@@ -84,6 +86,8 @@ std::vector<std::size_t> own_twins(const Language& a) {
 
 std::vector<std::size_t> twin_columns(const std::vector<const Language*>& automata,
                                       const std::vector<std::vector<std::size_t>>& within) {
+  for (const Language* automaton : automata)
+    WorkLimit(kOperationSteps).spend(automaton->states().size() * within[0].size() / 4);
   const auto are_twins = [&](std::size_t c, std::size_t d) {
     for (std::size_t i = 0; i < automata.size(); ++i) {
       const std::size_t in_c = within[i][c], in_d = within[i][d];
@@ -147,6 +151,8 @@ Language repeat(const Language& a, unsigned at_least, std::optional<unsigned> at
   if (at_most && *at_most < at_least) return Language::none();
   if (at_most && *at_most == 0) return Language::epsilon();
   if (at_least == 0) return Language::epsilon() | repeat(a, 1, at_most);
+  // Where a piece may be empty any count can be made up, so only the other pieces are counted.
+  if (a.states()[0].accepting) return Language::epsilon() | repeat(a - Language::epsilon(), 1, at_most);
 
   // A chain of copies; accepting in one enters the next, and without an upper bound the last enters itself.
   const auto size = static_cast<StateId>(a.states().size());
@@ -158,15 +164,8 @@ Language repeat(const Language& a, unsigned at_least, std::optional<unsigned> at
   const auto enter = [&](std::size_t copy, StateId q, Subset& to) {
     if (dead[q]) return;
     to.insert(static_cast<StateId>(copy * size + q));
-    if (!a.states()[q].accepting) return;
-    const bool is_empty_possible = a.states()[0].accepting;
-    for (;;) {
-      if (copy + 1 < copies)
-        ++copy;
-      else if (at_most)
-        return;
-      if (!to.insert(static_cast<StateId>(copy * size)) || !is_empty_possible) return;
-    }
+    if (!a.states()[q].accepting || (at_most && copy + 1 == copies)) return;
+    to.insert(static_cast<StateId>(std::min(copy + 1, copies - 1) * size));
   };
   return determinize(
       copies * size, a.alphabet(), own_twins(a), [&](Subset& to) { enter(0, 0, to); },

@@ -5,6 +5,7 @@
 
 #include <heckbert/taxonomy/dot.h>
 #include <heckbert/taxonomy/explain.h>
+#include <heckbert/taxonomy/work.h>
 
 namespace heckbert::taxonomy {
 
@@ -51,6 +52,7 @@ void set_levels(std::vector<LatticeNode>& nodes) {
 }  // namespace
 
 Lattice lattice(std::span<const NamedLanguage> languages) {
+  const WorkLimit limit((languages.size() + 1) * kCompileSteps);
   Lattice result{merged(languages), {}};
   set_levels(result.nodes);
   std::stable_sort(result.nodes.begin(), result.nodes.end(),

@@ -32,7 +32,8 @@ struct Lattice {
   std::vector<LatticeEdge> edges;  ///< by `below`, then `above`
 };
 
-/// Cost: one inclusion test per ordered pair.
+/// Cost: one inclusion test per ordered pair. Errors: LimitError when they take more work than reading that many
+/// expressions may.
 Lattice lattice(std::span<const NamedLanguage> languages);
 
 /// A digraph in the DOT language, small languages at the bottom.

@@ -63,9 +63,9 @@ LetterSet LetterSet::labelled(SymbolSet symbols, std::string_view label) {
 }
 
 SymbolSet LetterSet::of(std::string_view label) const {
-  const auto at =
-      std::find_if(of_labels_.begin(), of_labels_.end(), [&](const OfLabel& o) { return o.label == label; });
-  return at == of_labels_.end() ? others_ : at->symbols;
+  const auto at = std::lower_bound(of_labels_.begin(), of_labels_.end(), label,
+                                   [](const OfLabel& o, std::string_view l) { return o.label < l; });
+  return at != of_labels_.end() && at->label == label ? at->symbols : others_;
 }
 
 SymbolSet LetterSet::symbols() const {
@@ -86,6 +86,13 @@ void LetterSet::set(std::string_view label, SymbolSet symbols) {
   } else {
     of_labels_.insert(at, {std::string(label), rest});
   }
+}
+
+// In place, since sets of many labels are read one label at a time.
+LetterSet& LetterSet::operator|=(const LetterSet& other) {
+  if (other.others_ != 0) return *this = *this | other;
+  for (const OfLabel& one : other.of_labels_) set(one.label, static_cast<SymbolSet>(of(one.label) | one.symbols));
+  return *this;
 }
 
 LetterSet operator|(const LetterSet& a, const LetterSet& b) {

@@ -36,7 +36,7 @@ class LetterSet {
   bool is_empty() const { return others_ == 0 && of_labels_.empty(); }
   bool operator==(const LetterSet&) const = default;
 
-  LetterSet& operator|=(const LetterSet& other) { return *this = *this | other; }
+  LetterSet& operator|=(const LetterSet& other);
   LetterSet& operator&=(const LetterSet& other) { return *this = *this & other; }
   friend LetterSet operator|(const LetterSet& a, const LetterSet& b);
   friend LetterSet operator&(const LetterSet& a, const LetterSet& b);

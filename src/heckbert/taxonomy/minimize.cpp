@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include <heckbert/taxonomy/work.h>
+
 namespace heckbert::taxonomy {
 
 namespace {
@@ -157,6 +159,7 @@ Partition equivalent_states(const std::vector<State>& states) {
 }  // namespace
 
 std::vector<State> minimize(const std::vector<State>& states) {
+  WorkLimit(kOperationSteps).spend(2 * states.size() * states[0].next.size());
   const std::vector<State> reachable = breadth_first(states);
   const Partition partition = equivalent_states(reachable);
   // The start must be state 0 of the quotient as well.

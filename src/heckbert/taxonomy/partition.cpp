@@ -1,8 +1,11 @@
 #include <heckbert/taxonomy/partition.h>
 
+#include <heckbert/taxonomy/work.h>
+
 namespace heckbert::taxonomy {
 
 Partition partition(std::span<const Language> classes, const Language& whole) {
+  const WorkLimit limit((classes.size() + 1) * kCompileSteps);
   Partition result;
   Language covered;
   for (std::size_t j = 0; j < classes.size(); ++j) {

@@ -24,7 +24,8 @@ struct Partition {
   bool is_exhaustive() const { return !gap; }
 };
 
-/// Words outside the whole count for nothing.
+/// Words outside the whole count for nothing. Errors: LimitError when it takes more work than reading that many
+/// expressions may.
 Partition partition(std::span<const Language> classes, const Language& whole = Language::universe());
 
 }  // namespace heckbert::taxonomy
