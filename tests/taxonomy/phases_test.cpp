@@ -78,7 +78,7 @@ TEST(Phases, OfOtherDialectsAreShownInOurLettersFromTheLight) {
   ASSERT_EQ(form.parts.size(), 1u);
   EXPECT_EQ(form.parts[0].expression, "CD|S<TG>O");
   EXPECT_EQ(language_of(form.parts[0].subsets), compile("LaGt[DS]E"));
-  const Phases operators = phases("CDO | ^LE", Dialect::VRay);
+  const Phases operators = phases("CDO | ^CL", Dialect::VRay);
   EXPECT_EQ(operators.forms.at(0).parts.size(), 2u);
   EXPECT_EQ(phases("E D La", Dialect::Iray).minimal, phases("LaDE").minimal);
   EXPECT_THROW(phases("CD?L", Dialect::Osl), InputError);

@@ -67,7 +67,7 @@ Membership Classifier::classify(const Word& word) const {
   if (from_ == WalkFrom::Eye) std::reverse(letters.begin(), letters.end());
   for (const Group& g : groups_) {
     StateId at = 0;
-    for (const Letter& letter : letters) at = g.automaton.step(at, columns_.of[columns_.alphabet.column(letter)]);
+    for (const std::size_t column : letters) at = g.automaton.step(at, column);
     const auto bits = g.automaton.members(g.automaton.outcome(at));
     for (std::size_t i = 0; i < language_count_; ++i)
       if (bits[i / 64] >> i % 64 & 1) membership[i] = true;

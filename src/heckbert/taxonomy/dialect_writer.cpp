@@ -108,7 +108,7 @@ std::optional<std::string> path_text(const Language& language, Dialect dialect) 
     auto text = made ? checked(*made, language, dialect) : std::nullopt;
     if (text && (!best || text->size() < best->size())) best = std::move(text);
   };
-  if (const auto text = simplest_expression(language)) offer(*read_with_tree(*text, Dialect::Heckbert, {}, "").tree);
+  if (const auto text = simplest_expression(language)) offer(read_with_tree(*text, Dialect::Heckbert, {}, "").tree);
   // From the eye, lights differ at the end only, where letters such as L and O that share symbols can be joined.
   if (!best)
     if (auto made = regular_expression(reverse(language))) offer(reversed(std::move(*made)));

@@ -147,12 +147,26 @@ Language concat(const Language& a, const Language& b) {
       [&](StateId q) { return q >= size_a && b.states()[q - size_a].accepting; });
 }
 
+namespace {
+
+// Two strings of the language make one of it, as those of X+ do; repeated, it stays what it is. Asked of small automata
+// only, where the answer costs little.
+bool is_closed(const Language& a) {
+  constexpr std::size_t kSmall = 16;
+  return a.states().size() <= kSmall && concat(a, a).is_subset_of(a);
+}
+
+}  // namespace
+
 Language repeat(const Language& a, unsigned at_least, std::optional<unsigned> at_most) {
   if (at_most && *at_most < at_least) return Language::none();
   if (at_most && *at_most == 0) return Language::epsilon();
   if (at_least == 0) return Language::epsilon() | repeat(a, 1, at_most);
   // Where a piece may be empty any count can be made up, so only the other pieces are counted.
-  if (a.states()[0].accepting) return Language::epsilon() | repeat(a - Language::epsilon(), 1, at_most);
+  if (a.states()[0].accepting) {
+    const Language pieces = a - Language::epsilon();
+    return is_closed(pieces) ? a : Language::epsilon() | repeat(pieces, 1, at_most);
+  }
 
   // A chain of copies; accepting in one enters the next, and without an upper bound the last enters itself.
   const auto size = static_cast<StateId>(a.states().size());
