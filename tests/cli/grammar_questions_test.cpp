@@ -127,7 +127,7 @@ TEST(GrammarMinimize, PrintsAnExpression) {
       {{"minimize", "LGE", "--glossy", "specular"},
        0,
        "L E - L E\n",
-       "'LGE' can never match, because all its words have G, and --glossy diffuse reads that as another letter\n"},
+       "'LGE' can never match, because all its words have G, and --glossy specular reads that as another letter\n"},
   });
 }
 
@@ -190,7 +190,7 @@ TEST(GrammarPhases, AreShownForNamesFilesAndOtherDialects) {
   EXPECT_THAT(run({"grammar", "phases", file}).out, HasSubstr("Letters of L D* E, and which may follow\n"));
   const Outcome osl = run({"grammar", "phases", "CD|SO", "--dialect", "osl"});
   EXPECT_EQ(osl.exit_code, 0) << osl.err;
-  EXPECT_THAT(osl.out, HasSubstr("Minimal: 4 states\n0 -La-> 1\n1 -[DS]-> 2\n2 -E-> 3\n3 accepts\n"));
+  EXPECT_THAT(osl.out, HasSubstr("Minimal: 4 states\n0 -La-> 1\n1 -[DS]-> 3\n3 -E-> 4\n4 accepts\n"));
   EXPECT_EQ(run({"grammar", "phases", "metropolis"}).exit_code, 3);
 }
 
@@ -221,12 +221,12 @@ TEST(Query, SaysWhyNothingInTheRecordMatches) {
   };
   for (const Case& c :
        {Case{"LVE",
-             "'LVE' matches nothing in this record, because all its words have V, and the only "
-             "events are "},
+             "'LVE' matches nothing in this record, because all its words that are left have V, and the "
+             "only events are "},
         Case{"LeDE",
              "'LeDE' matches nothing in this record, because its words begin at Le, and the only "
              "lights are "},
-        Case{"LD{5}E", "the shortest of its words, LDDDDDE, has 5 scatterings, and the depth allows 3\n"},
+        Case{"LD{5}E", "the shortest of its words that are left, LDDDDDE, has 5 scatterings, and the depth allows 3\n"},
         Case{"LDE & LSE", "'LDE & LSE' can never match, because every path of 'LDE' has no event but D"}}) {
     const Outcome outcome = run({"query", record, c.expression, "-o", picture});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

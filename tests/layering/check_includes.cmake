@@ -16,7 +16,7 @@ set(guarded
   "embree3/=transport/embree_tracer.cpp"
   "glm/=(transport|import)/.*"
   "(oneapi/)?tbb/=transport/[^/]*.cpp"
-  "OpenEXR/=record/([^/]*[.]cpp|exr[.]h)"
+  "OpenEXR/=(record/([^/]*[.]cpp|exr[.]h)|import/radiance_image[.]cpp)"
   "nlohmann/=((report|import|cli)/.*[.]cpp|report/json_parts[.]h)"
   "CLI/=cli/.*"
   "tiny_obj_loader=import/[^/]*.cpp"

@@ -33,7 +33,7 @@ inline const std::vector<RandomLetter>& random_letters() {
       {'d', "Dr", single(Symbol::Dr)},
       {'s', "St", single(Symbol::St)},
       {'a', "D'a'", LetterSet::labelled(with_letter('D'), "a")},
-      {'b', "'b'", LetterSet::labelled(kEvents, "b")},
+      {'b', ".'b'", LetterSet::labelled(kEvents, "b")},
       {'u', "S''", LetterSet::labelled(with_letter('S'), "")},
   };
   return letters;

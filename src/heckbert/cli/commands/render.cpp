@@ -44,7 +44,7 @@ struct RenderOptions {
 };
 
 void declare(CLI::App& command, RenderOptions& options) {
-  command.add_option("SCENE", options.scene, "built-in scene ('heckbert scene list'), .json, .obj or .xml (Mitsuba) file, or '-'")
+  command.add_option("SCENE", options.scene, "built-in ('heckbert scene list'), .json, .obj, Mitsuba .xml, or '-'")
       ->required();
   command.add_option("-o,--output", options.output, "the picture and its class layers, as OpenEXR")
       ->type_name("FILE.exr");
