@@ -1,14 +1,14 @@
-// What recording every word costs: the time of a render with the record on over its time with the record off (nothing
-// spelt, one colour added per contribution), same scene, same seed, in turn; the median of the ratios of each pair,
-// since the speed of a machine drifts. Also the peak memory of either.
+// What recording every word costs: the processor time of a render with the record on over that with the record off
+// (nothing spelt, one colour added per contribution), same scene, same seed, in turn; the median of the ratios of each
+// pair, since the speed of a machine drifts. Also the peak memory of either.
 //
 // Usage: record_cost [ROUNDS [SAMPLES_PER_PIXEL [SIZE]]]     defaults 5 64 512
 
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,11 +20,12 @@ namespace {
 
 using namespace heckbert;
 
+/// Processor time of all threads, so that other work on the machine matters little.
 template <class F>
 double seconds(F f) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   f();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 double median(std::vector<double> values) {

@@ -29,7 +29,7 @@ void add(PathSink& sink, const taxonomy::Word& word, Rgb value, Technique techni
 
 Record record_of_one_tile(const RenderInfo& info, Tile tile) {
   Assembler assembler(info);
-  assembler.submit(0, std::move(tile));
+  assembler.submit(std::move(tile));
   return assembler.finish(false);
 }
 
@@ -54,16 +54,11 @@ TEST(Batches, DealTheSamplesOutEvenlyAndInOrder) {
 /// The slow twin: sums in maps, keyed by the words themselves.
 struct Twin {
   struct Sum {
-    double r = 0, g = 0, b = 0;
+    RgbSum sum;
     std::uint32_t count = 0;
     void add(Rgb v) {
-      r += static_cast<double>(v.r);
-      g += static_cast<double>(v.g);
-      b += static_cast<double>(v.b);
+      sum += RgbSum(v);
       ++count;
-    }
-    Rgb over(double n) const {
-      return {static_cast<float>(r / n), static_cast<float>(g / n), static_cast<float>(b / n)};
     }
   };
   std::map<std::pair<int, int>, std::map<taxonomy::Word, Sum>> pixels;  // by (y, x)
@@ -102,11 +97,8 @@ TEST(Record, HoldsWhatASlowTwinHolds) {
   for (const auto& [word, sums] : twin.batches) {
     EXPECT_EQ(record.words[w], word);
     for (std::size_t b = 0; b < kBatches; ++b) {
-      const Rgb expected = sums[b].over(batch_sizes(40)[b] * static_cast<double>(info.window.pixel_count()));
-      const Rgb mean = record.batch_means[w * kBatches + b];
-      EXPECT_FLOAT_EQ(mean.r, expected.r);  // the twin adds the pixels up in another order
-      EXPECT_FLOAT_EQ(mean.g, expected.g);
-      EXPECT_FLOAT_EQ(mean.b, expected.b);
+      const double samples = batch_sizes(40)[b] * static_cast<double>(info.window.pixel_count());
+      EXPECT_EQ(record.batch_means[w * kBatches + b], mean_of(sums[b].sum, samples));
     }
     ++w;
   }
@@ -120,7 +112,7 @@ TEST(Record, HoldsWhatASlowTwinHolds) {
       auto entry = entries.begin();
       for (const auto& [word, sum] : found->second) {
         EXPECT_EQ(record.words[entry->word], word);
-        EXPECT_EQ(entry->energy, sum.over(40));
+        EXPECT_EQ(entry->energy, mean_of(sum.sum, 40));
         EXPECT_EQ(entry->count, sum.count);
         ++entry;
       }
@@ -142,7 +134,7 @@ TEST(Record, DoesNotDependOnWhoTracedWhichTileAndWhen) {
     std::vector<TileRecorder> recorders(1 + random() % 4, TileRecorder(info));
     Assembler assembler(info);
     for (const std::size_t number : order)
-      assembler.submit(number, light.tile(recorders[random() % recorders.size()], windows[number], 5));
+      assembler.submit(light.tile(recorders[random() % recorders.size()], windows[number], 5));
     EXPECT_TRUE(assembler.finish(false) == expected);
   }
 }
@@ -160,12 +152,47 @@ TEST(Record, IsTheSameForAnyNumberOfThreads) {
       TileRecorder recorder(info);
       for (std::size_t i = t; i < windows.size(); i += kThreads) {
         const std::size_t number = windows.size() - 1 - i;
-        assembler.submit(number, light.tile(recorder, windows[number], 4));
+        assembler.submit(light.tile(recorder, windows[number], 4));
       }
     });
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_TRUE(assembler.finish(false) == expected);
+}
+
+/// The samples of a picture dealt out to three recorders, a tile each of the same pixels.
+TEST(Tile, OfASampleIsAPartOfTheTileOfAll) {
+  const RenderInfo info = info_for({5, 3, 24, 20}, 40);
+  const MadeUpLight light(7);
+  TileRecorder recorder(info);
+  const Tile whole = light.tile(recorder, info.window, 40);
+  std::map<std::pair<std::size_t, taxonomy::Word>, RgbSum> pixels;
+  std::map<std::pair<taxonomy::Word, std::uint32_t>, RgbSum> batches;
+  std::vector<std::uint32_t> samples(info.window.pixel_count());
+  Tally tally;
+  for (int part = 2; part >= 0; --part) {
+    recorder.begin_tile(info.window);
+    for (int y = info.window.y0; y < info.window.y1; ++y)
+      for (int x = info.window.x0; x < info.window.x1; ++x)
+        for (int s = part; s < 40; s += 3) light.send_sample(recorder, x, y, s);
+    const Tile tile = recorder.end_tile();
+    tally += tile.tally;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      samples[i] += tile.samples[i];
+      for (std::size_t e = tile.offsets[i]; e < tile.offsets[i + 1]; ++e)
+        pixels[{i, tile.words[tile.entries[e].word]}] += tile.entries[e].sum;
+    }
+    for (const BatchSum& sum : tile.batch_sums) batches[{tile.words[sum.word], sum.batch}] += sum.sum;
+  }
+
+  EXPECT_EQ(tally, whole.tally);
+  EXPECT_EQ(samples, whole.samples);
+  ASSERT_EQ(pixels.size(), whole.entries.size());
+  ASSERT_EQ(batches.size(), whole.batch_sums.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t e = whole.offsets[i]; e < whole.offsets[i + 1]; ++e)
+      EXPECT_EQ((pixels[{i, whole.words[whole.entries[e].word]}]), whole.entries[e].sum);
+  for (const BatchSum& sum : whole.batch_sums) EXPECT_EQ((batches[{whole.words[sum.word], sum.batch}]), sum.sum);
 }
 
 TEST(Record, DoesNotDependOnTheOrderOfPixelsInATile) {
@@ -237,7 +264,7 @@ TEST(Record, CountsWhatItRejectsAndAddsNoneOfIt) {
       {{kNan, 1, 1}, false, 1, 0},      {{1, kInfinity, 1}, false, 1, 0}, {{1, 1, -kInfinity}, false, 1, 0},
       {{1, -1e-30f, 1}, false, 0, 1},   {{-1, kNan, 1}, false, 1, 0},     {{-0.0f, 0, 0}, true, 0, 0},
       {{1e-44f, 3e38f, 1}, true, 0, 0},
-  };
+  };  // what is too bright or too faint to add as it is: the next test
   for (std::size_t i = 0; i < cases.size(); ++i) {
     SCOPED_TRACE(i);
     const Case& c = cases[i];
@@ -255,6 +282,35 @@ TEST(Record, CountsWhatItRejectsAndAddsNoneOfIt) {
     EXPECT_EQ(record.tally.hits, c.accepted ? 1u : 0u);
     EXPECT_EQ(record.tally.rejected_not_finite, 2 * c.not_finite);
     EXPECT_EQ(record.tally.rejected_negative, 2 * c.negative);
+  }
+}
+
+TEST(Record, CountsWhatItCannotAddAsItIs) {
+  struct Case {
+    Rgb value, energy;
+    std::uint64_t clamped, vanished;
+  };
+  constexpr float kFaintest = 0x1p-57f;  // rounds up to a quantum
+  const std::vector<Case> cases{
+      {{kMostLight, 1, 0}, {kMostLight, 1, 0}, 0, 0},
+      {{3e38f, 1, 0x1p32f}, {kMostLight, 1, kMostLight}, 1, 0},
+      {{1e-44f, 0, 0}, Rgb(0), 0, 1},
+      {{1e-44f, 1, 0}, {0, 1, 0}, 0, 0},
+      {{0, kFaintest, 0}, {0, 0x1p-56f, 0}, 0, 0},
+      {Rgb(0), Rgb(0), 0, 0},
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    SCOPED_TRACE(i);
+    const Case& c = cases[i];
+    const RenderInfo info = small_info(1, {0, 0, 1, 1});
+    TileRecorder recorder(info);
+    recorder.begin_tile(info.window);
+    recorder.begin_sample(0, 0, 0);
+    add(recorder, "LDE"_word, c.value);
+    const Record record = record_of_one_tile(info, recorder.end_tile());
+    EXPECT_EQ(record.entries, (std::vector<Entry>{{0, c.energy, 1}}));
+    EXPECT_EQ(record.tally.clamped, c.clamped);
+    EXPECT_EQ(record.tally.vanished, c.vanished);
   }
 }
 
@@ -297,7 +353,7 @@ TEST(Record, LeavesPixelsOfMissingTilesEmpty) {
   TileRecorder recorder(info);
   Assembler assembler(info);
   for (std::size_t number = 0; number < windows.size(); ++number)
-    if (number % 3 != 1) assembler.submit(number, light.tile(recorder, windows[number], 2));
+    if (number % 3 != 1) assembler.submit(light.tile(recorder, windows[number], 2));
   const Record partial = assembler.finish(true);
   const Record whole = record_of(light, info);
   EXPECT_TRUE(partial.info.partial);
@@ -334,16 +390,12 @@ TEST(Assembler, RefusesTilesThatBreakItsContract) {
     return recorder.end_tile();
   };
   Assembler assembler(info);
-  assembler.submit(0, tile({0, 0, 4, 4}));
-  assembler.submit(5, tile({4, 0, 8, 4}));
-  EXPECT_THROW(assembler.submit(0, tile({4, 4, 8, 8})), std::logic_error) << "merged before";
-  EXPECT_THROW(assembler.submit(5, tile({4, 4, 8, 8})), std::logic_error) << "waiting since before";
-  EXPECT_THROW(assembler.submit(6, tile({4, 4, 9, 8})), std::logic_error) << "outside";
+  assembler.submit(tile({0, 0, 4, 4}));
+  EXPECT_THROW(assembler.submit(tile({4, 4, 9, 8})), std::logic_error) << "outside";
   Tile unsorted = tile({4, 4, 8, 8});
   unsorted.words = {"LSE"_word, "LDE"_word};
-  unsorted.batch_sums.resize(2);
-  EXPECT_THROW(assembler.submit(6, unsorted), std::logic_error) << "words not sorted";
-  assembler.submit(1, tile({3, 2, 5, 5}));
+  EXPECT_THROW(assembler.submit(unsorted), std::logic_error) << "words not sorted";
+  assembler.submit(tile({3, 2, 5, 5}));
   EXPECT_THROW(assembler.finish(false), std::logic_error) << "overlaps";
 }
 

@@ -160,7 +160,7 @@ TEST(Interval, HoldsTheTruthAsOftenAsItSays) {
       }
     }
     Assembler assembler(info);
-    assembler.submit(0, recorder.end_tile());
+    assembler.submit(recorder.end_tile());
     const Record record = assembler.finish(false);
     const auto holds = [](const Estimate& e, double truth) { return e.lower <= truth && truth <= e.upper ? 1 : 0; };
     for (std::size_t w = 0; w < 3; ++w) energies_held[w] += holds(energy(record, one[w]), means[w]);

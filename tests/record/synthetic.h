@@ -99,9 +99,8 @@ inline std::vector<Window> tiles_of(const Window& window, int size) {
 inline Record record_of(const MadeUpLight& light, const RenderInfo& info, int tile_size = 8) {
   TileRecorder recorder(info);
   Assembler assembler(info);
-  std::size_t number = 0;
   for (const Window& window : tiles_of(info.window, tile_size))
-    assembler.submit(number++, light.tile(recorder, window, info.samples_per_pixel));
+    assembler.submit(light.tile(recorder, window, info.samples_per_pixel));
   return assembler.finish(false);
 }
 

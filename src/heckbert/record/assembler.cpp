@@ -12,8 +12,16 @@ void require(bool holds, const char* claim) {
   if (!holds) throw std::logic_error(claim);
 }
 
-void add_to(BatchSums& sums, const BatchSums& more) {
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += more[i];
+/// Adds to the sums of one word, sorted by batch.
+void add_to(std::vector<BatchSum>& sums, const BatchSum& more) {
+  const auto place = std::lower_bound(sums.begin(), sums.end(), more.batch,
+                                      [](const BatchSum& sum, std::uint32_t batch) { return sum.batch < batch; });
+  if (place == sums.end() || place->batch != more.batch) {
+    sums.insert(place, more);
+  } else {
+    place->count += more.count;
+    place->sum += more.sum;
+  }
 }
 
 bool is_inside(const Window& inner, const Window& outer) {
@@ -34,17 +42,26 @@ std::vector<std::vector<Tile*>> tiles_by_row(std::vector<Tile>& tiles, const Win
   return rows;
 }
 
+/// Mean light that no path carries, of one row of a tile.
+void copy_row(const std::vector<RgbSum>& from, std::vector<Rgb>& to, const Tile& tile, std::size_t first,
+              std::size_t to_first) {
+  if (from.empty()) return;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(tile.window.width()); ++i)
+    if (const std::uint32_t samples = tile.samples[first + i]; samples > 0)
+      to[to_first + i] = mean_of(from[first + i], samples);
+}
+
 /// Appends one row of a tile to the record, which has all pixels before it.
 void append_row(Record& record, const Tile& tile, int y, const std::vector<std::uint32_t>& rank) {
   const auto width = static_cast<std::size_t>(tile.window.width());
   const std::size_t from = row_of(tile.window, y) * width;
   const std::size_t to = record.offsets.size() - 1;
-  if (!tile.ambient.empty()) std::copy_n(&tile.ambient[from], width, &record.ambient[to]);
-  if (!tile.phantom.empty()) std::copy_n(&tile.phantom[from], width, &record.phantom[to]);
+  copy_row(tile.ambient, record.ambient, tile, from, to);
+  copy_row(tile.phantom, record.phantom, tile, from, to);
   for (std::size_t pixel = from; pixel < from + width; ++pixel) {
     for (std::size_t e = tile.offsets[pixel]; e < tile.offsets[pixel + 1]; ++e) {
-      record.entries.push_back(tile.entries[e]);
-      record.entries.back().word = rank[tile.entries[e].word];
+      const EntrySum& entry = tile.entries[e];
+      record.entries.push_back({rank[entry.word], mean_of(entry.sum, tile.samples[pixel]), entry.count});
     }
     record.offsets.push_back(record.entries.size());
   }
@@ -74,14 +91,11 @@ void lay_out(Record& record, std::vector<Tile>& tiles, const std::vector<std::ui
 }
 
 /// The estimates of the picture mean that the batches give.
-std::vector<Rgb> means_of(const BatchSums& sums, const RenderInfo& info) {
+std::vector<Rgb> means_of(const std::vector<BatchSum>& sums, const RenderInfo& info) {
   const auto sizes = batch_sizes(info.samples_per_pixel);
   std::vector<Rgb> means(kBatches);
-  for (std::size_t b = 0; b < kBatches && sizes[b] > 0; ++b) {
-    const double samples = sizes[b] * static_cast<double>(info.window.pixel_count());
-    means[b] = {static_cast<float>(sums[3 * b] / samples), static_cast<float>(sums[3 * b + 1] / samples),
-                static_cast<float>(sums[3 * b + 2] / samples)};
-  }
+  for (const BatchSum& sum : sums)
+    means[sum.batch] = mean_of(sum.sum, sizes[sum.batch] * static_cast<double>(info.window.pixel_count()));
   return means;
 }
 
@@ -89,42 +103,26 @@ std::vector<Rgb> means_of(const BatchSums& sums, const RenderInfo& info) {
 
 Assembler::Assembler(RenderInfo info) : info_(std::move(info)) {}
 
-void Assembler::submit(std::size_t number, Tile tile) {
+void Assembler::submit(Tile tile) {
   require(is_inside(tile.window, info_.window), "a tile lies inside the picture's window");
   require(tile.offsets.size() == tile.window.pixel_count() + 1 && tile.offsets.back() == tile.entries.size() &&
-              tile.batch_sums.size() == tile.words.size(),
-          "a tile's lists fit its window and words");
+              tile.samples.size() == tile.window.pixel_count(),
+          "a tile's lists fit its window");
   require(std::is_sorted(tile.words.begin(), tile.words.end()), "a tile's words are sorted");
 
   const std::lock_guard lock(mutex_);
-  require(number >= next_ && !waiting_.contains(number), "a tile is submitted once");
-  waiting_.emplace(number, std::move(tile));
-  for (; !waiting_.empty() && waiting_.begin()->first == next_; ++next_) {
-    merge(std::move(waiting_.begin()->second));
-    waiting_.erase(waiting_.begin());
-  }
-}
-
-void Assembler::merge(Tile tile) {
   std::vector<std::uint32_t> id(tile.words.size());
-  for (std::size_t w = 0; w < id.size(); ++w) {
-    const auto [place, is_new] = ids_.try_emplace(std::move(tile.words[w]), static_cast<std::uint32_t>(ids_.size()));
-    id[w] = place->second;
-    if (is_new)
-      batch_sums_.push_back(tile.batch_sums[w]);
-    else
-      add_to(batch_sums_[id[w]], tile.batch_sums[w]);
-  }
-  for (Entry& entry : tile.entries) entry.word = id[entry.word];
+  for (std::size_t w = 0; w < id.size(); ++w)
+    id[w] = ids_.try_emplace(std::move(tile.words[w]), static_cast<std::uint32_t>(ids_.size())).first->second;
+  batch_sums_.resize(ids_.size());
+  for (const BatchSum& sum : tile.batch_sums) add_to(batch_sums_[id[sum.word]], sum);
+  for (EntrySum& entry : tile.entries) entry.word = id[entry.word];
   tile.words = {};
   tile.batch_sums = {};
-  merged_.push_back(std::move(tile));
+  tiles_.push_back(std::move(tile));
 }
 
 Record Assembler::finish(bool partial) {
-  for (auto& [number, tile] : waiting_) merge(std::move(tile));
-  waiting_.clear();
-
   Record record;
   record.info = info_;
   record.info.partial = partial;
@@ -138,14 +136,14 @@ Record Assembler::finish(bool partial) {
   }
 
   std::size_t entry_count = 0;
-  for (const Tile& tile : merged_) {
+  for (const Tile& tile : tiles_) {
     record.tally += tile.tally;
     entry_count += tile.entries.size();
     if (!tile.ambient.empty()) record.ambient.resize(info_.window.pixel_count());
     if (!tile.phantom.empty()) record.phantom.resize(info_.window.pixel_count());
   }
   record.entries.reserve(entry_count);
-  lay_out(record, merged_, rank);
+  lay_out(record, tiles_, rank);
   return record;
 }
 

@@ -41,6 +41,10 @@ struct ColourChannel {
 constexpr std::array<ColourChannel, 3> kColourChannels{
     {{"R", offsetof(Rgb, r)}, {"G", offsetof(Rgb, g)}, {"B", offsetof(Rgb, b)}}};
 
+[[noreturn]] void refuse_number(const std::string& digits, const std::string& name) {
+  throw std::runtime_error(fmt::format("the header attribute '{}' is '{}', not a whole number", name, digits));
+}
+
 }  // namespace
 
 int threads() {
@@ -87,8 +91,18 @@ std::uint64_t parse_number(const std::string& digits, const std::string& name) {
   std::uint64_t value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if (error != std::errc() || stop != end)
-    throw std::runtime_error(fmt::format("the header attribute '{}' is '{}', not a whole number", name, digits));
+  if (error != std::errc() || stop != end) refuse_number(digits, name);
+  return value;
+}
+
+Quanta parse_quanta(const std::string& digits, const std::string& name) {
+  constexpr std::size_t kMostDigits = 38;  // 10^38 < 2^128
+  if (digits.empty() || digits.size() > kMostDigits) refuse_number(digits, name);
+  Quanta value = 0;
+  for (const char digit : digits) {
+    if (digit < '0' || digit > '9') refuse_number(digits, name);
+    value = 10 * value + static_cast<Quanta>(digit - '0');
+  }
   return value;
 }
 

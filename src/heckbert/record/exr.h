@@ -37,7 +37,9 @@ const auto& attribute(const Imf::Header& header, const std::string& name) {
   throw std::runtime_error(fmt::format("the header attribute '{}' is missing or of another type", name));
 }
 
+/// A number that an attribute spells out, OpenEXR having none of 64 bits or more. Errors: std::runtime_error naming it.
 std::uint64_t parse_number(const std::string& digits, const std::string& name);
+Quanta parse_quanta(const std::string& digits, const std::string& name);
 
 /// Adds slices for R, G and B of pixels over `window`, under the channel prefix ("" or "name.").
 void insert_rgb(Imf::FrameBuffer& frame, const std::string& prefix, const Rgb* pixels, const Window& window);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <heckbert/record/rgb.h>
+#include <heckbert/record/sum.h>
 #include <heckbert/taxonomy/glossy_rule.h>
 #include <heckbert/taxonomy/language.h>
 #include <heckbert/taxonomy/word.h>
@@ -37,9 +38,9 @@ struct RenderInfo {
   Window window;  ///< the part that was rendered; the whole picture unless cropped
   int samples_per_pixel = 0;
   std::uint64_t seed = 0;
-  int max_depth = 0;     ///< most scatterings per path
-  bool partial = false;  ///< interrupted: some pixels have no samples
-  std::string version;   ///< of the tool
+  int max_depth = 0;                   ///< most scatterings per path
+  bool partial = false;                ///< interrupted: some pixels have no samples
+  std::string version;                 ///< of the tool
   std::vector<std::string> ignored{};  ///< what the scene's file says and was not used, in sentences with their places
   bool operator==(const RenderInfo&) const = default;
 };
@@ -50,8 +51,10 @@ struct Tally {
   std::uint64_t hits = 0, next_events = 0;  ///< contributions, by technique
   std::uint64_t escaped = 0, escaped_unlit = 0, absorbed = 0, depth_limited = 0, roulette = 0;
   std::uint64_t rejected_not_finite = 0, rejected_negative = 0;
+  /// Contributions brighter than kMostLight, added as kMostLight, and those too faint for a quantum (sum.h).
+  std::uint64_t clamped = 0, vanished = 0;
   /// Luminance that the depth limit cut off, as the tracer estimates it: sum over the samples, and sum of the squares.
-  double cut_off = 0, cut_off_squares = 0;
+  Quanta cut_off = 0, cut_off_squares = 0;
   Tally& operator+=(const Tally& other);
   bool operator==(const Tally&) const = default;
 };
@@ -61,7 +64,7 @@ struct TallyFacts {
   std::uint64_t Tally::*field;
 };
 
-inline constexpr std::array<TallyFacts, 10> kTallyFields{{
+inline constexpr std::array<TallyFacts, 12> kTallyFields{{
     {"samples", &Tally::samples},
     {"hits", &Tally::hits},
     {"next_events", &Tally::next_events},
@@ -72,11 +75,13 @@ inline constexpr std::array<TallyFacts, 10> kTallyFields{{
     {"roulette", &Tally::roulette},
     {"rejected_not_finite", &Tally::rejected_not_finite},
     {"rejected_negative", &Tally::rejected_negative},
+    {"clamped", &Tally::clamped},
+    {"vanished", &Tally::vanished},
 }};
 
 struct TallySumFacts {
   std::string_view name;  ///< as in file headers
-  double Tally::*field;
+  Quanta Tally::*field;
 };
 
 inline constexpr std::array<TallySumFacts, 2> kTallySums{{

@@ -2,7 +2,6 @@
 #include <OpenEXR/ImfDeepFrameBuffer.h>
 #include <OpenEXR/ImfDeepScanLineInputPart.h>
 #include <OpenEXR/ImfDeepScanLineOutputPart.h>
-#include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFloatVectorAttribute.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
@@ -27,7 +26,7 @@ namespace heckbert::record {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr const char* kLayout = "heckbert.record";
 constexpr const char* kBatchMeans = "heckbert.batch_means";
 constexpr const char* kWords = "heckbert.words";
@@ -118,7 +117,7 @@ Imf::Header paths_header(const Record& record) {
   for (const TallyFacts& facts : kTallyFields)
     header.insert(tally_name(facts.name), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
   for (const TallySumFacts& facts : kTallySums)
-    header.insert(tally_name(facts.name), Imf::DoubleAttribute(record.tally.*facts.field));
+    header.insert(tally_name(facts.name), Imf::StringAttribute(fmt::to_string(record.tally.*facts.field)));
   Imf::FloatVector means;
   means.reserve(3 * record.batch_means.size());
   for (const Rgb& mean : record.batch_means) means.insert(means.end(), {mean.r, mean.g, mean.b});
@@ -309,7 +308,8 @@ Record read_record(const std::filesystem::path& path) {
       record.tally.*facts.field = exr::parse_number(
           exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
     for (const TallySumFacts& facts : kTallySums)
-      record.tally.*facts.field = exr::attribute<Imf::DoubleAttribute>(header, tally_name(facts.name));
+      record.tally.*facts.field = exr::parse_quanta(
+          exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
     record.words = read_words(header, file_bytes);
     record.batch_means = read_batch_means(header, record.words.size());
     read_entries(Imf::DeepScanLineInputPart(file, 0), file_bytes, record);

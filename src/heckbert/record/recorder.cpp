@@ -22,12 +22,13 @@ std::vector<std::uint32_t> sorting_order(const std::vector<taxonomy::Word>& word
 TileRecorder::TileRecorder(const RenderInfo& info, const SampleMap* sample_map)
     : samples_per_pixel_(info.samples_per_pixel),
       sample_map_(sample_map),
-      mean_repeats_(sample_map == nullptr ? 1.0 : sample_map->mean()) {}
+      mean_repeats_(sample_map == nullptr ? 1.0f : static_cast<float>(sample_map->mean())) {}
 
 void TileRecorder::begin_tile(const Window& window) {
   assert(tile_nodes_.empty() && pixel_samples_ == 0 && "the tile before has ended");
   tile_ = Tile{};
   tile_.window = window;
+  tile_.samples.resize(window.pixel_count());
   pixels_.assign(window.pixel_count(), {});
 }
 
@@ -40,29 +41,26 @@ void TileRecorder::begin_sample(int x, int y, int sample) {
     y_ = y;
     pixel_ = static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
              static_cast<std::size_t>(x - window.x0);
-    if (sample_map_ != nullptr) batch_weight_ = 1.0 / sample_map_->at(x, y);
+    if (sample_map_ != nullptr) batch_weight_ = 1.0f / static_cast<float>(sample_map_->at(x, y));
     assert(pixels_[pixel_].last == 0 && "all samples of a pixel arrive together");
   }
   ++pixel_samples_;
   ++tile_.tally.samples;
-  batch_ = 3 * static_cast<std::size_t>(batch_of(sample, samples_per_pixel_));
+  batch_ = static_cast<std::size_t>(batch_of(sample, samples_per_pixel_));
 }
 
 void TileRecorder::add(const Contribution& contribution) {
-  const Rgb value = contribution.value;
+  Rgb value = contribution.value;
   if (!accept(value)) return;
+  const RgbSum sum = sum_of(value);
   if (contribution.word >= slots_.size()) slots_.resize(words().size());
   Slot& slot = slots_[contribution.word];
   if (slot.count == 0) enlist(contribution.word, slot);
-  const double r = static_cast<double>(value.r), g = static_cast<double>(value.g), b = static_cast<double>(value.b);
   ++slot.count;
-  slot.r += r;
-  slot.g += g;
-  slot.b += b;
-  double* sums = &batch_sums_[slot.tile_word][batch_];
-  sums[0] += batch_weight_ * r;
-  sums[1] += batch_weight_ * g;
-  sums[2] += batch_weight_ * b;
+  slot.sum += sum;
+  Found& found = batches_[slot.tile_word][batch_];
+  ++found.count;
+  found.sum += batch_weight_ == 1.0f ? sum : RgbSum(value * batch_weight_);
   ++(contribution.technique == Technique::Hit ? tile_.tally.hits : tile_.tally.next_events);
 }
 
@@ -72,9 +70,9 @@ void TileRecorder::add(std::span<const Contribution> contributions) {
 
 void TileRecorder::add_non_path(NonPath buffer, Rgb value) {
   if (!accept(value)) return;
-  std::vector<Rgb>& pixels = buffer == NonPath::Ambient ? tile_.ambient : tile_.phantom;
+  std::vector<RgbSum>& pixels = buffer == NonPath::Ambient ? tile_.ambient : tile_.phantom;
   if (pixels.empty()) pixels.resize(pixels_.size());
-  pixels[pixel_] += value;
+  pixels[pixel_] += sum_of(value);
 }
 
 void TileRecorder::end_path(PathEnd end) {
@@ -101,9 +99,9 @@ void TileRecorder::end_path(PathEnd end) {
 void TileRecorder::add_cut_off(Rgb value) {
   if (!accept(value)) return;
   // A mean over the picture, however often its pixels are repeated.
-  const double light = mean_repeats_ * batch_weight_ * static_cast<double>(luminance(value));
-  tile_.tally.cut_off += light;
-  tile_.tally.cut_off_squares += light * light;
+  const float light = mean_repeats_ * batch_weight_ * luminance(value);
+  tile_.tally.cut_off += quanta_of(std::min(light, kMostLight));
+  tile_.tally.cut_off_squares += quanta_of(std::min(light * light, kMostLight));
 }
 
 Tile TileRecorder::end_tile() {
@@ -117,15 +115,16 @@ Tile TileRecorder::end_tile() {
   for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
 
   tile_.words.reserve(words.size());
-  tile_.batch_sums.reserve(words.size());
-  for (const std::uint32_t old : order) {
-    tile_.words.push_back(std::move(words[old]));
-    tile_.batch_sums.push_back(batch_sums_[old]);
+  for (std::uint32_t w = 0; w < order.size(); ++w) {
+    tile_.words.push_back(std::move(words[order[w]]));
+    for (std::uint32_t b = 0; b < kBatches; ++b)
+      if (const Found& found = batches_[order[w]][b]; found.count > 0)
+        tile_.batch_sums.push_back({w, b, found.count, found.sum});
   }
 
   // Counting sort, first by word and then, keeping that order, by pixel.
   std::vector<std::size_t> places(order.size() + 1);
-  for (Entry& entry : entries_) {
+  for (EntrySum& entry : entries_) {
     entry.word = rank[entry.word];
     ++places[entry.word + 1];
   }
@@ -147,7 +146,7 @@ Tile TileRecorder::end_tile() {
 
   for (const auto node : tile_nodes_) slots_[node].tile_word = kNoWord;
   tile_nodes_.clear();
-  batch_sums_.clear();
+  batches_.clear();
   entries_.clear();
   return std::exchange(tile_, Tile{});
 }
@@ -158,29 +157,36 @@ bool TileRecorder::accept(Rgb value) {
   return false;
 }
 
+RgbSum TileRecorder::sum_of(Rgb& value) {
+  if (max_channel(value) > kMostLight) [[unlikely]] {
+    value = clamped(value);
+    ++tile_.tally.clamped;
+  }
+  const RgbSum sum(value);
+  if (vanishes(value, sum)) [[unlikely]]
+    ++tile_.tally.vanished;
+  return sum;
+}
+
 void TileRecorder::enlist(taxonomy::WordTrie::Node node, Slot& slot) {
   pixel_nodes_.push_back(node);
   if (slot.tile_word != kNoWord) return;
   slot.tile_word = static_cast<std::uint32_t>(tile_nodes_.size());
   tile_nodes_.push_back(node);
-  batch_sums_.emplace_back();
+  batches_.emplace_back();
 }
 
 void TileRecorder::finish_pixel() {
   if (pixel_samples_ == 0) return;
-  const double samples = pixel_samples_;
+  tile_.samples[pixel_] = static_cast<std::uint32_t>(pixel_samples_);
   pixels_[pixel_].first = static_cast<std::uint32_t>(entries_.size());
   for (const auto node : pixel_nodes_) {
     Slot& slot = slots_[node];
-    const Rgb mean{static_cast<float>(slot.r / samples), static_cast<float>(slot.g / samples),
-                   static_cast<float>(slot.b / samples)};
-    entries_.push_back({slot.tile_word, mean, slot.count});
-    slot.r = slot.g = slot.b = 0;
+    entries_.push_back({slot.tile_word, slot.count, slot.sum});
+    slot.sum = {};
     slot.count = 0;
   }
   pixels_[pixel_].last = static_cast<std::uint32_t>(entries_.size());
-  for (std::vector<Rgb>* buffer : {&tile_.ambient, &tile_.phantom})
-    if (!buffer->empty()) (*buffer)[pixel_] = (*buffer)[pixel_] / static_cast<float>(pixel_samples_);
   pixel_nodes_.clear();
   pixel_samples_ = 0;
 }

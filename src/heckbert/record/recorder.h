@@ -1,7 +1,7 @@
 #pragma once
 // From contributions to a record. Each tracing thread has a TileRecorder, the sink of one tile at a time; finished
-// tiles go to the Assembler, which adds them up in the order of their numbers whatever order they finish in, so that
-// the same seed gives the same bytes for any number of threads (design decision 7).
+// tiles go to the Assembler, in any order. Sums are whole numbers (sum.h), so the same seed gives the same bytes for
+// any number of threads (design decision 7) and the parts of a picture add up to the whole.
 
 #include <array>
 #include <cstddef>
@@ -17,18 +17,35 @@
 
 namespace heckbert::record {
 
-/// Sums of one word, batch by batch: r, g, b.
-using BatchSums = std::array<double, std::size_t{3} * kBatches>;
+/// What was found of one word at one pixel.
+struct EntrySum {
+  std::uint32_t word = 0;   ///< index into Tile::words
+  std::uint32_t count = 0;  ///< contributions
+  RgbSum sum;               ///< over the pixel's samples
+  bool operator==(const EntrySum&) const = default;
+};
 
-/// What one tile leaves: its pixels' entries and its words' batch sums, words by index into a list of its own.
+/// What was found of one word in one batch.
+struct BatchSum {
+  std::uint32_t word = 0;   ///< index into Tile::words
+  std::uint32_t batch = 0;  ///< below kBatches
+  std::uint64_t count = 0;  ///< contributions
+  RgbSum sum;               ///< over the tile's pixels and the batch's samples
+  bool operator==(const BatchSum&) const = default;
+};
+
+/// A rectangle of a record as sums, before anything is divided or rounded: tiles of the same pixels add up. This is the
+/// form in which parts of a render meet; a whole picture can be one tile.
 struct Tile {
   Window window;
-  std::vector<taxonomy::Word> words;  ///< sorted, distinct
-  std::vector<std::size_t> offsets;   ///< as in Record, for the tile's own window
-  std::vector<Entry> entries;         ///< energy is the mean over the samples taken; within a pixel sorted by word
-  std::vector<BatchSums> batch_sums;  ///< by word: sums over the tile's pixels and each batch's samples
-  std::vector<Rgb> ambient, phantom;  ///< empty when never added
+  std::vector<taxonomy::Word> words;     ///< sorted, distinct
+  std::vector<std::uint32_t> samples;    ///< taken, by pixel of the window, row by row
+  std::vector<std::size_t> offsets;      ///< as in Record, for the tile's own window
+  std::vector<EntrySum> entries;         ///< within a pixel sorted by word
+  std::vector<BatchSum> batch_sums;      ///< sorted by word, then batch; those without contributions are left out
+  std::vector<RgbSum> ambient, phantom;  ///< non-path light by pixel; empty when never added
   Tally tally;
+  bool operator==(const Tile&) const = default;
 };
 
 /// Reused for tile after tile. Each add() costs two small sums at a place found by the trie node: no hashing, and no
@@ -53,7 +70,7 @@ class TileRecorder final : public PathSink {
 
   /// What the current pixel has from one word, and the number of that word in the current tile.
   struct Slot {
-    double r = 0, g = 0, b = 0;
+    RgbSum sum;
     std::uint32_t count = 0;
     std::uint32_t tile_word = kNoWord;
   };
@@ -62,48 +79,51 @@ class TileRecorder final : public PathSink {
     std::uint32_t first = 0, last = 0;
   };
 
+  /// What of one word has been found in one batch of the current tile.
+  struct Found {
+    RgbSum sum;
+    std::uint64_t count = 0;
+  };
+
   bool accept(Rgb value);
+  /// `value` as it is added; counts what that loses.
+  RgbSum sum_of(Rgb& value);
   void enlist(taxonomy::WordTrie::Node node, Slot& slot);
   void finish_pixel();
 
   int samples_per_pixel_ = 0;
   const SampleMap* sample_map_ = nullptr;
-  double mean_repeats_ = 1;
+  float mean_repeats_ = 1;
   Tile tile_;                                          ///< window, tally and non-path light of the current tile
   std::vector<Slot> slots_;                            ///< by trie node
   std::vector<taxonomy::WordTrie::Node> pixel_nodes_;  ///< words of the current pixel
   std::vector<taxonomy::WordTrie::Node> tile_nodes_;   ///< words of the current tile, in the order they were met
-  std::vector<BatchSums> batch_sums_;                  ///< by number in the current tile
-  std::vector<Entry> entries_;                         ///< in the order of the tracer's pixels, words by tile number
+  std::vector<std::array<Found, kBatches>> batches_;   ///< by number in the current tile
+  std::vector<EntrySum> entries_;                      ///< in the order of the tracer's pixels, words by tile number
   std::vector<Range> pixels_;                          ///< row by row over the tile
   std::size_t pixel_ = 0;                              ///< index of the current pixel in the tile
   int x_ = 0, y_ = 0;
-  int pixel_samples_ = 0;    ///< 0: no pixel begun
-  std::size_t batch_ = 0;    ///< of the current sample, as an offset into BatchSums
-  double batch_weight_ = 1;  ///< of the current pixel's samples in their batches: one over their repeats
+  int pixel_samples_ = 0;   ///< 0: no pixel begun
+  std::size_t batch_ = 0;   ///< of the current sample
+  float batch_weight_ = 1;  ///< of the current pixel's samples in their batches: one over their repeats
 };
 
 /// Thread-safe: tiles may be submitted from any thread in any order.
 class Assembler {
  public:
   explicit Assembler(RenderInfo info);
-  /// `number` counts the tiles from 0 in a fixed order. Windows of different tiles do not overlap.
-  /// Errors: std::logic_error when the number was submitted before or the tile breaks its own contract.
-  void submit(std::size_t number, Tile tile);
-  /// The record of all submitted tiles; numbers never submitted leave their pixels empty, and `partial` says so in the
-  /// record's info. Sorts words, drops none. Call once, after all submits. Cost: O(entries).
+  /// Windows of different tiles do not overlap. Errors: std::logic_error when the tile breaks its own contract.
+  void submit(Tile tile);
+  /// The record of all submitted tiles; pixels of none stay empty, and `partial` says so in the record's info. Sorts
+  /// words, drops none. Call once, after all submits. Cost: O(entries). Errors: std::logic_error when tiles overlap.
   Record finish(bool partial);
 
  private:
-  void merge(Tile tile);
-
   RenderInfo info_;
   std::mutex mutex_;
-  std::map<std::size_t, Tile> waiting_;          ///< tiles that came before one of a lower number
-  std::size_t next_ = 0;                         ///< number of the next tile to merge
-  std::vector<Tile> merged_;                     ///< without words and batch sums; entries by number in ids_
-  std::map<taxonomy::Word, std::uint32_t> ids_;  ///< numbered in the order of merging
-  std::vector<BatchSums> batch_sums_;            ///< by number in ids_
+  std::vector<Tile> tiles_;                        ///< without words and batch sums; entries by number in ids_
+  std::map<taxonomy::Word, std::uint32_t> ids_;    ///< numbered as they came
+  std::vector<std::vector<BatchSum>> batch_sums_;  ///< by number in ids_, sorted by batch
 };
 
 }  // namespace heckbert::record

@@ -122,11 +122,11 @@ Estimate share(const Record& record, const std::vector<bool>& part, const std::v
 }
 
 Estimate cut_off(const Tally& tally, double confidence) {
-  if (tally.cut_off <= 0) return exactly(0);
+  if (tally.cut_off == 0) return exactly(0);
   const double n = static_cast<double>(tally.samples);
-  const double mean = tally.cut_off / n;
+  const double mean = mean_of(tally.cut_off, n);
   if (tally.samples < 2) return unknown_spread(mean);
-  const double error = std::sqrt(std::max(tally.cut_off_squares / n - mean * mean, 0.0) / (n - 1));
+  const double error = std::sqrt(std::max(mean_of(tally.cut_off_squares, n) - mean * mean, 0.0) / (n - 1));
   constexpr std::uint64_t kNearlyNormal = 10000;  // a Student quantile costs a loop over its degrees of freedom
   return with_interval(mean, error, std::min(tally.samples, kNearlyNormal), confidence,
                        std::numeric_limits<double>::infinity());

@@ -30,6 +30,12 @@ std::string rejected(const record::Tally& tally) {
                      grouped(tally.rejected_negative));
 }
 
+std::string rounding(const record::Tally& tally) {
+  if (tally.clamped + tally.vanished == 0) return "none";
+  return fmt::format("{} brighter than {:g} were added as that, {} too faint to add", grouped(tally.clamped),
+                     record::kMostLight, grouped(tally.vanished));
+}
+
 }  // namespace
 
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally) {
@@ -48,6 +54,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
                    grouped(tally.depth_limited), grouped(tally.roulette))},
       {"Cut off", cut_off_text(tally)},
       {"Rejected", rejected(tally)},
+      {"Out of range", rounding(tally)},
       {"Version", "heckbert " + info.version},
   };
 }
@@ -66,6 +73,7 @@ std::vector<std::string> warnings(const record::RenderInfo& info, const record::
   if (info.partial) found.push_back("The render was interrupted: pixels without samples are black and count as such.");
   if (tally.rejected_not_finite + tally.rejected_negative > 0)
     found.push_back(fmt::format("Contributions were left out because they were no light: {}.", rejected(tally)));
+  if (tally.clamped > 0) found.push_back(fmt::format("Contributions were out of range: {}.", rounding(tally)));
   if (record::batch_count(info.samples_per_pixel) < 2)
     found.push_back("One sample per pixel gives no confidence intervals; render with two or more.");
   return found;

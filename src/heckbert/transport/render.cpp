@@ -107,7 +107,7 @@ class ProgressMeter {
 };
 
 /// Traces every tile of the picture. `make_worker()` is called once per thread; a worker has sink(), begin(tile) and
-/// end(tile number). Tiles are handed out in order, so that whoever collects them never holds many.
+/// end().
 /// Gives back whether the whole picture was done.
 template <class MakeWorker>
 bool trace_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks, bool wants_words,
@@ -171,7 +171,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
               rays += trace_sample(plan, x, y, sample);
           }
         }
-      worker.end(number);
+      worker.end();
       pixels_done += pixels;
       meter.advance(pixels, rays);
     }
@@ -223,7 +223,7 @@ record::Record render(const Scene& scene, const RenderSettings& settings, const 
     record::Assembler& assembler;
     record::PathSink& sink() { return recorder; }
     void begin(const Window& tile) { recorder.begin_tile(tile); }
-    void end(std::size_t number) { assembler.submit(number, recorder.end_tile()); }
+    void end() { assembler.submit(recorder.end_tile()); }
   };
   const bool complete = trace_tiles(scene, settings, hooks, true, [&] {
     return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), assembler};
@@ -240,7 +240,7 @@ record::Image render_picture_only(const Scene& scene, const RenderSettings& sett
     PictureSink picture;
     record::PathSink& sink() { return picture; }
     void begin(const Window&) {}
-    void end(std::size_t) {}
+    void end() {}
   };
   trace_tiles(scene, settings, hooks, false, [&] { return Worker{PictureSink(image)}; });
   for (Rgb& pixel : image.pixels) pixel *= 1.0f / static_cast<float>(settings.samples_per_pixel);
