@@ -167,6 +167,8 @@ TEST(JsonMaterial, KeepsEmissionAndTheTermsThatAreNoPaths) {
   EXPECT_EQ(panel.phantom_reflectance, Rgb(0.2f));
   EXPECT_EQ(panel.ambient_reflectance, Rgb(0));
   EXPECT_TRUE(panel.lobes.empty());
+  const Imported screen = with_textures(R"("emission": { "radiance": 2, "texture": "tiles" })");
+  EXPECT_EQ(screen.scene.materials.at(0).emission_texture, 1u);
 }
 
 TEST(JsonMaterial, LobesMayAddUpToExactlyOne) {

@@ -19,6 +19,7 @@ namespace heckbert::import {
 namespace {
 
 using namespace transport;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -305,6 +306,18 @@ TEST(MitsubaTexture, PicturesStandUpright) {
   EXPECT_GT(at(0.75f).b, at(0.75f).r) << "the bottom";
 }
 
+TEST(MitsubaTexture, LampsMayHaveOne) {
+  const std::string body = R"(<shape type="disk"><emitter type="area"><texture type="checkerboard" name="radiance">
+      <rgb name="color0" value="3"/><rgb name="color1" value="1"/></texture></emitter></shape>)";
+  const Imported imported = scene_of(body);
+  const Material& lamp = imported.scene.materials.at(imported.scene.shapes.at(0).material);
+  EXPECT_EQ(lamp.emission, Rgb(1));
+  ASSERT_TRUE(lamp.emission_texture);
+  EXPECT_EQ(std::get<Checkerboard>(imported.scene.textures.at(*lamp.emission_texture).source).first, Rgb(3));
+  EXPECT_THAT(imported.account.ignored, IsEmpty());
+  EXPECT_THAT(imported.account.understood, Contains(HasSubstr("shape \"disk\" emits a texture")));
+}
+
 // ---- shapes ---------------------------------------------------------------------------------------------------------
 
 TEST(MitsubaShape, TransformsApplyInTheOrderOfTheText) {
@@ -368,6 +381,31 @@ TEST(MitsubaShape, FilesWithoutNormalsAreSmoothUnlessFacesAreAskedFor) {
     }
   }
   EXPECT_THAT(mesh("<boolean name=\"face_normals\" value=\"true\"/>").normals, IsEmpty());
+}
+
+TEST(MitsubaShape, NormalsThatAllPointOneWayAreTakenForNoneUnlessTheTrianglesDoToo) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& positions, const std::string& faces) {
+    folder.write("mesh.obj", positions + "vn 0 0 1\n" + faces);
+    return load_scene(folder.write("room.xml",
+                                   "<scene version=\"3.0.0\">\n<shape type=\"obj\">"
+                                   "<string name=\"filename\" value=\"mesh.obj\"/></shape></scene>"));
+  };
+  const Imported roof = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 -1\nv 1 1 -1\n",
+                             "f 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//1\n");
+  const Mesh& smooth = std::get<Mesh>(roof.scene.shapes.at(0).geometry);
+  for (std::size_t i = 0; i < smooth.positions.size(); ++i) {
+    if (smooth.positions[i].x == 1 && smooth.positions[i].z == 0) {
+      expect_near(smooth.normals[i], glm::normalize(glm::vec3(1, 0, 1)), "on the ridge");
+    }
+  }
+  EXPECT_THAT(roof.account.guessed, Contains(AllOf(HasSubstr("room.xml:2:"), HasSubstr("mesh.obj: all its normals"))));
+
+  const Imported gentle = read("v 0 0 0\nv 1 0 0.1\nv 1 1 0.1\nv 0 1 0\n", "f 1//1 2//1 3//1 4//1\n");
+  for (const glm::vec3 n : std::get<Mesh>(gentle.scene.shapes.at(0).geometry).normals) {
+    expect_near(n, glm::vec3(0, 0, 1), "kept");
+  }
+  EXPECT_THAT(gentle.account.guessed, Not(Contains(HasSubstr("normals are the same"))));
 }
 
 TEST(MitsubaShape, GroupsArePlacedByInstances) {

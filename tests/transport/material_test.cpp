@@ -233,6 +233,48 @@ TEST(Traps, ALampWithHolesGivesJustItsShare) {
   expect_classes(trace(scene, 0, 16, 512), {{"La E", kRadiance * (kShare + behind)}});
 }
 
+// ---- lamps with a texture -------------------------------------------------------------------------------------------
+
+TEST(Traps, ALampWithATextureGivesWhatItShows) {
+  // A unit square, one half of it black: the floor below its dividing line gets half of what the whole square would
+  // give, and below the middle of the bright half more by the form factors of A8. Next-event estimation and hitting,
+  // with and without bodies on the way.
+  constexpr float kRadiance = 5, kFloor = 0.5f;
+  Scene scene;
+  add(scene, make_quad({-50, -50, 0}, {100, 0, 0}, {0, 100, 0}), diffuse(kFloor));
+  Material lamp = emitter(kRadiance);
+  lamp.emission_texture = 0;
+  const Mesh square = make_quad({-0.5f, 0.5f, 1}, {1, 0, 0}, {0, -1, 0});  // shines down
+  add(scene, square, lamp);
+  scene.textures = {{.source = Checkerboard{Rgb(1), Rgb(0)}, .scale = {1, 0.5f}}};  // the half of lower u is bright
+  const auto corner = [](double a, double b) {  // of a rectangle a x b at distance 1, below one of its corners
+    const double x = std::sqrt(1 + a * a), y = std::sqrt(1 + b * b);
+    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * kPiD);
+  };
+  for (const bool foggy : {false, true}) {
+    if (foggy) {
+      scene.media = {{.name = "nothing"}};
+      scene.medium = 0;
+    }
+    for (const AlgorithmId algorithm : {AlgorithmId::Path, AlgorithmId::Whitted}) {
+      const auto energies_at = [&](float x) {
+        scene.camera = {.position = {x, 0, 0.5f}, .look_at = {x, 0, 0}, .up = {0, 1, 0}, .vertical_fov_degrees = 0.01f};
+        return render(scene,
+                      {.algorithm = algorithm, .width = 8, .height = 8, .samples_per_pixel = 1024, .max_depth = 1});
+      };
+      expect_classes(energies_at(0), {{"La D E", kFloor * kRadiance * 2 * corner(0.5, 0.5)}});
+      expect_classes(energies_at(-0.25f), {{"La D E", kFloor * kRadiance * 4 * corner(0.25, 0.5)}});
+    }
+  }
+  // Itself it is seen as it is: the middle of either half.
+  const auto seen = [&](float x) {
+    scene.camera = {.position = {x, 0, 0.5f}, .look_at = {x, 0, 1}, .up = {0, 1, 0}, .vertical_fov_degrees = 0.1f};
+    return energy_of(trace(scene, 0, 4, 16), "LE").mean;
+  };
+  EXPECT_NEAR(seen(-0.25f), kRadiance, 1e-5);
+  EXPECT_EQ(seen(0.25f), 0.0);
+}
+
 // ---- normal maps ----------------------------------------------------------------------------------------------------
 
 TEST(Traps, AMappedNormalLightsByItsOwnCosine) {

@@ -371,12 +371,14 @@ const std::vector<Key<LobeDraft>>& lobe_type_key() {
 struct Emission {
   Rgb radiance;
   Sides sides = Sides::Front;
+  const JsonNode* texture = nullptr;
 };
 
 const std::vector<Key<Emission>>& emission_keys() {
   static const std::vector<Key<Emission>> keys{
       key("radiance", Colour{kNotNegative}, &Emission::radiance, kRequired, "emitted in every direction"),
-      key("sides", Choice{{"front", "both"}}, &Emission::sides, "front", "which sides of the surface emit")};
+      key("sides", Choice{{"front", "both"}}, &Emission::sides, "front", "which sides of the surface emit"),
+      key("texture", kTextureName, &Emission::texture, "none", "multiplies the radiance from place to place")};
   return keys;
 }
 
@@ -502,6 +504,7 @@ Material read_material(Reader& in, const JsonNode& node, const Names& media, con
   material.name = draft.name;
   material.emission = draft.emission.radiance;
   material.emission_sides = draft.emission.sides;
+  material.emission_texture = textures.find(in, draft.emission.texture);
   material.phantom_reflectance = draft.phantom_reflectance;
   material.ambient_reflectance = draft.ambient_reflectance;
   if (draft.medium != nullptr || draft.priority) {
@@ -585,7 +588,7 @@ std::string describe(const Material& material) {
     parts.push_back(describe(lobe));
   }
   if (!is_black(material.emission)) {
-    parts.push_back("emits " + to_text(material.emission) +
+    parts.push_back("emits " + to_text(material.emission) + (material.emission_texture ? " times a texture" : "") +
                     (material.emission_sides == Sides::Both ? " on both sides" : ""));
   }
   if (material.is_index_matched) {

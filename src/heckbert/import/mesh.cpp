@@ -81,6 +81,20 @@ void compute_normals(Mesh& mesh) {
   }
 }
 
+bool has_placeholder_normals(const Mesh& mesh) {
+  constexpr float kTilted = 0.866f;  // cosine of 30 degrees: more than rounding, less than any wave or corner
+  if (mesh.normals.empty()) {
+    return false;
+  }
+  const glm::vec3 n = mesh.normals.front();
+  return std::all_of(mesh.normals.begin(), mesh.normals.end(), [&](glm::vec3 other) { return other == n; }) &&
+         std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](glm::uvec3 t) {
+           const glm::vec3 face =
+               glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+           return std::abs(glm::dot(face, n)) < kTilted * glm::length(face) * glm::length(n);
+         });
+}
+
 void append(Mesh& mesh, const Mesh& more) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   const bool keep_normals = !more.normals.empty() && (base == 0 || !mesh.normals.empty());

@@ -26,6 +26,10 @@ void transform(transport::Mesh& mesh, const glm::mat4& to_world);
 /// 1998). Positions that no triangle uses get +z.
 void compute_normals(transport::Mesh& mesh);
 
+/// Whether the normals say nothing of the surface: all are the same although some triangle is tilted away from them.
+/// Exporters write such placeholders for renderers that compute normals themselves.
+bool has_placeholder_normals(const transport::Mesh& mesh);
+
 /// Adds the triangles of `more`. Normals and texture coordinates survive when both have them or `mesh` is empty.
 void append(transport::Mesh& mesh, const transport::Mesh& more);
 

@@ -108,7 +108,7 @@ std::vector<MitsubaPluginFacts> light_facts() {
   for (const LightKind& kind : kLights) {
     out.push_back({"emitter", kind.type, kind.meaning});
   }
-  out.push_back({"emitter", "area", "the shape that it stands in emits from its front; no textures"});
+  out.push_back({"emitter", "area", "the shape that it stands in emits from its front; `radiance` may be a texture"});
   return out;
 }
 

@@ -11,6 +11,7 @@
 
 #include <heckbert/import/mesh.h>
 #include <heckbert/import/mitsuba_bsdfs.h>
+#include <heckbert/import/mitsuba_textures.h>
 #include <heckbert/import/obj_file.h>
 #include <heckbert/import/ply_file.h>
 #include <heckbert/import/scene_format.h>
@@ -163,10 +164,15 @@ Mesh finish(Mesh mesh, const ReadShape& r) {
   return mesh;
 }
 
-/// As Mitsuba does: without normals in the file the surface is smooth, unless `face_normals` is set.
-Mesh finish_file(Mesh mesh, const ReadShape& r) {
+/// As Mitsuba does: without normals in the file the surface is smooth, unless `face_normals` is set. Placeholders are
+/// taken for none.
+Mesh finish_file(Mesh mesh, const ReadShape& r, const std::string& file) {
   if (r.face_normals) {
     mesh.normals.clear();
+  } else if (has_placeholder_normals(mesh)) {
+    r.o.in().guessed(r.o.place(), r.o.describe() + ": " + file +
+                                      ": all its normals are the same, its triangles are not; read as smooth");
+    compute_normals(mesh);
   } else if (mesh.normals.empty()) {
     compute_normals(mesh);
   } else {
@@ -185,7 +191,7 @@ Result read_mesh_file(ReadShape& r, const Read& read) {
   }
   try {
     Mesh mesh = read(path);
-    return finish_file(std::move(mesh), r);
+    return finish_file(std::move(mesh), r, path.filename().string());
   } catch (const InputError& problem) {
     r.o.in().error(r.o.place(), r.o.describe() + ": " + path.filename().string() + " has errors of its own");
     r.o.in().adopt(problem.diagnostics());
@@ -325,18 +331,14 @@ Material default_material(bool emits) {
 }
 
 /// The radiance of the <emitter type="area"> on a shape.
-Rgb read_area_light(MitsubaReader& in, const XmlNode& node) {
+ColourOrTexture read_area_light(MitsubaReader& in, const XmlNode& node) {
   MitsubaObject emitter(in, node);
   if (emitter.type() != "area") {
     tell_unknown(emitter, {"area"}, "the shape gives no light");
     return {};
   }
   emitter.skip({"sampling_weight"});
-  if (const XmlNode* radiance = emitter.find("radiance"); radiance != nullptr && radiance->tag == "texture") {
-    in.ignored(radiance->place, emitter.describe() + ": a texture of light is not read, the shape gives none");
-    return {};
-  }
-  return emitter.colour("radiance", Rgb(1));
+  return read_colour_or_texture(emitter, "radiance", Rgb(1));
 }
 
 std::uint32_t read_material(MitsubaReader& in, MitsubaObject& shape) {
@@ -348,18 +350,20 @@ std::uint32_t read_material(MitsubaReader& in, MitsubaObject& shape) {
   for (std::size_t i = 1; i < bsdfs.size(); ++i) {
     in.ignored(bsdfs[i]->place, shape.describe() + ": its second bsdf is not read");
   }
-  const Rgb emission = emitters.empty() ? Rgb() : read_area_light(in, *emitters.front());
+  const ColourOrTexture emission = emitters.empty() ? ColourOrTexture{} : read_area_light(in, *emitters.front());
   std::optional<std::uint32_t> index;
   if (!bsdfs.empty()) {
     index = material_of(in, *bsdfs.front());
   }
-  if (index && is_black(emission)) {
+  if (index && is_black(emission.colour)) {
     return *index;
   }
   Material material = index ? in.imported.scene.materials[*index] : default_material(!emitters.empty());
-  material.emission = emission;
-  if (!is_black(emission)) {
-    in.understood(emitters.front()->place, shape.describe() + " emits " + to_text(emission));
+  material.emission = emission.colour;
+  material.emission_texture = emission.texture;
+  if (!is_black(emission.colour)) {
+    in.understood(emitters.front()->place,
+                  shape.describe() + " emits " + (emission.texture ? "a texture" : to_text(emission.colour)));
   }
   return add_material(in, std::move(material));
 }
@@ -370,6 +374,7 @@ bool has_picture(const Scene& scene, const Material& material) {
   };
   return (material.normal_map && is_picture(material.normal_map->texture)) ||
          (material.opacity && is_picture(material.opacity->texture)) ||
+         (material.emission_texture && is_picture(*material.emission_texture)) ||
          std::any_of(material.textures.begin(), material.textures.end(),
                      [&](const LobeTexture& use) { return is_picture(use.texture.texture); });
 }

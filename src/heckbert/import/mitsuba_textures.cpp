@@ -105,19 +105,24 @@ std::optional<std::uint32_t> read_texture(MitsubaReader& in, const XmlNode& node
   return index;
 }
 
-ColourOrTexture read_share(MitsubaObject& object, std::string_view name, Rgb otherwise) {
+ColourOrTexture read_colour_or_texture(MitsubaObject& object, std::string_view name, Rgb otherwise) {
   const XmlNode* node = object.find(name);
-  if (is_texture(node)) {
-    const auto texture = read_texture(object.in(), *node, TextureUse::Colour);
-    return {texture ? Rgb(1) : otherwise, texture};
+  if (!is_texture(node)) {
+    return {object.colour(name, otherwise)};
   }
-  const Rgb read = object.colour(name, otherwise);
+  const auto texture = read_texture(object.in(), *node, TextureUse::Colour);
+  return {texture ? Rgb(1) : otherwise, texture};
+}
+
+ColourOrTexture read_share(MitsubaObject& object, std::string_view name, Rgb otherwise) {
+  const ColourOrTexture said = read_colour_or_texture(object, name, otherwise);
+  const Rgb read = said.colour;
   const Rgb limited(std::min(read.r, 1.0f), std::min(read.g, 1.0f), std::min(read.b, 1.0f));
   if (!(limited == read)) {
-    object.in().guessed(node->place, object.describe() + ": \"" + std::string(name) + "\" " + to_text(read) +
-                                         " is above 1, read as " + to_text(limited));
+    object.in().guessed(object.find(name)->place, object.describe() + ": \"" + std::string(name) + "\" " +
+                                                      to_text(read) + " is above 1, read as " + to_text(limited));
   }
-  return {limited};
+  return {limited, said.texture};
 }
 
 NumberOrTexture read_number_or_texture(MitsubaObject& object, std::string_view name, float otherwise,

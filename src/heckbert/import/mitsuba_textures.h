@@ -18,6 +18,7 @@ struct ColourOrTexture {
   Rgb colour;
   std::optional<std::uint32_t> texture{};
 };
+ColourOrTexture read_colour_or_texture(MitsubaObject& object, std::string_view name, Rgb otherwise);
 /// A share of light: what is above 1 is read as 1, which is told as a guess.
 ColourOrTexture read_share(MitsubaObject& object, std::string_view name, Rgb otherwise);
 

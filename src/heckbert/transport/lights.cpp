@@ -7,6 +7,7 @@
 
 #include <heckbert/transport/delta_lights.h>
 #include <heckbert/transport/frame.h>
+#include <heckbert/transport/texture.h>
 
 namespace heckbert::transport {
 
@@ -16,6 +17,16 @@ namespace {
 
 /// More lights than this are chosen through a tree.
 constexpr std::size_t kMostByPower = 64;
+
+/// By material: the largest channel of what it emits, on average over its texture. Above zero wherever it may emit.
+std::vector<float> mean_emissions(const Scene& scene) {
+  std::vector<float> means;
+  for (const Material& material : scene.materials)
+    means.push_back(max_channel(material.emission_texture
+                                    ? material.emission * mean_colour(scene.textures[*material.emission_texture])
+                                    : material.emission));
+  return means;
+}
 
 LightSample from_delta(Symbol kind, const DeltaSample& delta) {
   return {
@@ -28,12 +39,12 @@ Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer
   using Type = Source::Type;
   std::vector<LightBounds> near;
   const auto& emitters = tracer.emitters();
+  const std::vector<float> emissions = mean_emissions(scene);
   for (std::uint32_t i = 0; i < emitters.size(); ++i) {
-    const Material& material = scene.materials[emitters[i].material];
-    const bool both_sides = material.emission_sides == Sides::Both;
+    const bool both_sides = scene.materials[emitters[i].material].emission_sides == Sides::Both;
     near_.push_back({Type::Emitter, i});
     near.push_back(bounds_of(emitters[i], both_sides,
-                             (both_sides ? 2 : 1) * kPi * emitters[i].area * max_channel(material.emission)));
+                             (both_sides ? 2 : 1) * kPi * emitters[i].area * emissions[emitters[i].material]));
   }
   const auto add_near = [&](Type type, const auto& lights) {
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
@@ -77,7 +88,12 @@ Rgb Lights::emitted(std::uint32_t material, bool front) const {
 }
 
 Rgb Lights::emitted(const Hit& hit) const {
-  return hit.emitter == kNoEmitter ? Rgb{} : emitted(hit.material, hit.front);
+  if (hit.emitter == kNoEmitter) return {};
+  const Rgb radiance = emitted(hit.material, hit.front);
+  const std::optional<std::uint32_t> texture = scene_.materials[hit.material].emission_texture;
+  if (!texture || is_black(radiance)) return radiance;
+  const glm::vec4 colour = look_up(scene_.textures[*texture], hit.uv);
+  return radiance * Rgb(colour.r, colour.g, colour.b);
 }
 
 float Lights::pdf_environment(glm::vec3 direction) const {
@@ -131,12 +147,13 @@ std::optional<LightSample> Lights::sample_source(Source source, glm::vec3 from, 
       const bool front = glm::dot(d, surface->normal) < 0;
       const Rgb radiance = emitted(e.material, front);
       if (is_black(radiance)) return std::nullopt;
+      const Material& material = scene_.materials[e.material];
       return LightSample{.kind = Symbol::La,
                          .direction = d / distance,
                          .target = surface->position + (front ? e.error : -e.error) * surface->normal,
                          .radiance = radiance,
                          .pdf_solid_angle = surface->pdf_solid_angle,
-                         .cut_out = scene_.materials[e.material].opacity ? source.index : kNoEmitter};
+                         .to_be_met = material.opacity || material.emission_texture ? source.index : kNoEmitter};
     }
     case Source::Type::Point: {
       const PointLight& light = scene_.point_lights[source.index];

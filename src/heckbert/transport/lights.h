@@ -26,8 +26,9 @@ struct LightSample {
   /// With the probability of choosing this light; for a delta light that probability alone.
   float pdf_solid_angle = 0;
   bool is_delta = false;  ///< no ray can hit it by chance
-  /// A light whose surface has holes: the shadow ray must meet this very emitter, not just reach `target`.
-  std::uint32_t cut_out = kNoEmitter;
+  /// A light whose surface has holes or a texture: the shadow ray must meet this very emitter, not just reach `target`,
+  /// and what it emits there takes the place of `radiance`.
+  std::uint32_t to_be_met = kNoEmitter;
 };
 
 class Lights {
@@ -52,6 +53,7 @@ class Lights {
     enum class Type : std::uint8_t { Emitter, Point, Spot, Distant, Environment } type;
     std::uint32_t index;
   };
+  /// Without its texture.
   Rgb emitted(std::uint32_t material, bool front) const;
   std::optional<LightTree::Choice> choose_near(glm::vec3 from, double u) const;
   std::optional<LightSample> sample_source(Source source, glm::vec3 from, glm::vec2 u) const;

@@ -106,6 +106,7 @@ void check_material(const Scene& scene, const Material& material) {
   }
   if (material.normal_map) has_texture(material.normal_map->texture);
   if (material.opacity) has_texture(material.opacity->texture);
+  if (material.emission_texture) has_texture(*material.emission_texture);
 }
 
 Lobe ggx(Rgb f0, float alpha) {

@@ -116,11 +116,11 @@ void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, ta
   if (!light) return;
   const float anisotropy = walk.bodies.medium(world.scene)->anisotropy;
   const float value = phase(anisotropy, glm::dot(ray.direction, light->direction));
-  const Rgb arriving = light->radiance * passage(world, walk, walk.bodies, ray.origin, *light);
-  if (is_black(arriving)) return;
+  const Rgb incident = arriving(world, walk, walk.bodies, ray.origin, *light);
+  if (is_black(incident)) return;
   const float weight = (light->is_delta ? 1.0f : power_heuristic(light->pdf_solid_angle, value)) * value;
   walk.found.push_back({walk.step(walk.step(node, Symbol::V), light->kind),
-                        throughput * arriving * (weight / light->pdf_solid_angle), record::Technique::NextEvent});
+                        throughput * incident * (weight / light->pdf_solid_angle), record::Technique::NextEvent});
 }
 
 Continuation scatter(const World& world, Walk& walk, const Ray& ray) {

@@ -206,6 +206,7 @@ struct Material {
   std::vector<Lobe> lobes{};  ///< at most kMaxLobes; see max_albedo in material.h for the bound on their sum
   Rgb emission{};             ///< radiance; black: not a light
   Sides emission_sides = Sides::Front;
+  std::optional<std::uint32_t> emission_texture{};  ///< index into Scene::textures; its colour multiplies `emission`
   /// The lecture's recursive tracer continues in the mirror direction even at a diffuse surface, weighted by this k_r;
   /// that light is no path and goes to the phantom buffer. Read by no other algorithm, and not where a mirror or glass
   /// lobe continues the ray already.

@@ -105,6 +105,20 @@ glm::vec4 look_up(const Texture& texture, glm::vec2 uv) {
   return std::visit([&](const auto& source) { return look_up(source, placed); }, texture.source);
 }
 
+Rgb mean_colour(const Texture& texture) {
+  return std::visit(Overload{
+                        [](const Image& image) {
+                          glm::dvec3 sum(0);
+                          for (int y = 0; y < image.height; ++y)
+                            for (int x = 0; x < image.width; ++x) sum += glm::dvec3(pixel(image, x, y));
+                          const glm::vec3 mean(sum / (static_cast<double>(image.width) * image.height));
+                          return Rgb(mean.x, mean.y, mean.z);
+                        },
+                        [](const Checkerboard& board) { return (board.first + board.second) * 0.5f; },
+                    },
+                    texture.source);
+}
+
 float look_up(const Scene& scene, const ScalarTexture& texture, glm::vec2 uv) {
   return look_up(scene.textures[texture.texture], uv)[static_cast<int>(texture.channel)];
 }
@@ -147,7 +161,7 @@ bool needs_surface_coordinates(const Material& material) {
     if (const auto* glass = std::get_if<RoughDielectric>(&lobe)) facets = &glass->facets;
     return facets != nullptr && facets->alpha_x != facets->alpha_y;
   };
-  return material.normal_map || material.opacity || !material.textures.empty() ||
+  return material.normal_map || material.opacity || material.emission_texture || !material.textures.empty() ||
          std::any_of(material.lobes.begin(), material.lobes.end(), is_anisotropic);
 }
 

@@ -18,6 +18,9 @@ float look_up(const Scene& scene, const ScalarTexture& texture, glm::vec2 uv);
 /// Share of the surface that is there, from 0 to 1.
 float opacity(const Scene& scene, const Material& material, glm::vec2 uv);
 
+/// The colour of a texture on average.
+Rgb mean_colour(const Texture& texture);
+
 /// Multiplies the parameter of the lobe that `use` names by its texture.
 void apply_texture(const Scene& scene, const LobeTexture& use, glm::vec2 uv, Lobe& lobe);
 

@@ -53,19 +53,19 @@ Meeting travel_through_bodies(const World& world, Walk& walk, Ray& ray, Rgb& thr
   return {};
 }
 
-Rgb passage(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light) {
+Rgb arriving(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const bool has_holes = light.cut_out != kNoEmitter, endless = light.infinite || has_holes;
-  Rgb passed(1.0f);
+  const bool is_met = light.to_be_met != kNoEmitter, endless = light.infinite || is_met;
+  Rgb transmitted(1.0f);
   for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
     const float farthest = endless ? kInfinity : glm::distance(light.target, from);
     const glm::vec3 direction = endless ? light.direction : (light.target - from) / farthest;
     ++walk.rays;
     const std::optional<Hit> hit = world.tracer.intersect(Ray{from, direction}, farthest);
     if (const Medium* medium = bodies.medium(world.scene))
-      passed *= transmittance(*medium, hit ? glm::distance(hit->position, from) : farthest);
-    if (!hit) return has_holes ? Rgb{} : passed;
-    if (has_holes && hit->emitter == light.cut_out) return passed;
+      transmitted *= transmittance(*medium, hit ? glm::distance(hit->position, from) : farthest);
+    if (!hit) return is_met ? Rgb{} : transmitted * light.radiance;
+    if (is_met && hit->emitter == light.to_be_met) return transmitted * world.lights.emitted(*hit);
     if (!is_passed(world.scene, bodies, *hit)) break;
     pass(world.scene, bodies, *hit, from);
   }

@@ -29,9 +29,9 @@ inline Meeting travel(const World& world, Walk& walk, Ray& ray, Rgb& throughput,
   return {world.tracer.intersect(ray), false};
 }
 
-/// Transmittance of the way to a light from a point within `bodies`, through boundaries that are passed straight; black
-/// when anything else is in between.
-Rgb passage(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light);
+/// What arrives of a light at a point within `bodies`, dimmed by media, through boundaries that are passed straight;
+/// black when anything else is in between.
+Rgb arriving(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light);
 
 /// The bodies that a point lies in: those that a ray from it leaves without having entered them.
 Bodies bodies_at(const Scene& scene, const Tracer& tracer, glm::vec3 point);

@@ -17,13 +17,13 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
   if (world.has_bodies) {
     Bodies bodies = walk.bodies;
     if (transmitted) bodies.cross(world.scene, vertex.hit.material, vertex.hit.front);
-    return light.radiance * passage(world, walk, bodies, origin, light);
+    return arriving(world, walk, bodies, origin, light);
   }
   ++walk.rays;
   const Ray ray{origin, light.direction};
-  if (light.cut_out != kNoEmitter) {
+  if (light.to_be_met != kNoEmitter) {
     const std::optional<Hit> met = world.tracer.intersect(ray);
-    return met && met->emitter == light.cut_out ? light.radiance : Rgb{};
+    return met && met->emitter == light.to_be_met ? world.lights.emitted(*met) : Rgb{};
   }
   const bool occluded = light.infinite ? world.tracer.is_occluded(ray) : world.tracer.is_occluded(origin, light.target);
   return occluded ? Rgb{} : light.radiance;
