@@ -49,6 +49,38 @@ TEST_P(QuietestScene, LosesItsErrorAsOneOverTheRootOfTheSamples) {
 
 INSTANTIATE_TEST_SUITE_P(All, QuietestScene, testing::Values(kCases[0], kCases[1]), name_of);
 
+// Why the picture of water-caustic is 20/19 of the truth: a photon map of twenty neighbours, made of the scene as it is
+// in the file, has the picture's colour in every part of it, within the 2 % that are asked for. Last
+// result: 1.006 1.006 1.006 over all, 0.997 to 1.013 by part. With the 19 of an unbiased estimate it is 0.955, and with
+// the placeholders that the file has for the water's normals (docs/mitsuba-import.md) the parts depart from it by up to
+// 30 %.
+TEST(BitterliWaterCaustic, IsThePictureOfAPhotonMapOfTwentyNeighbours) {
+  const Case& scene = kCases[3];
+  if (!std::filesystem::exists(folder_of(scene)))
+    GTEST_SKIP() << "SKIPPED: " << scene.name << " is not at " << kScenes << "; nothing was tested";
+  constexpr int kSize = 256;
+  const record::Image found =
+      photon_mapped(import::load_scene(folder_of(scene) / "scene.xml").scene,
+                    {.photons = 1'000'000, .neighbours = 20, .longest = scene.segments - 2}, kSize, kSize, 4);
+  const record::Image expected = reference(scene);
+  const int times = expected.window.width() / kSize;
+  const struct {
+    const char* name;
+    record::Window window;
+  } parts[] = {{"all", {0, 0, kSize, kSize}},
+               {"ceiling", {60, 4, 200, 26}},
+               {"wall above the water", {70, 35, 186, 50}},
+               {"wall below the water", {30, 100, 224, 160}},
+               {"floor", {30, 236, 226, 250}}};
+  for (const auto& [name, w] : parts) {
+    const Colour a = mean_of(found, w);
+    const Colour b = mean_of(expected, {times * w.x0, times * w.y0, times * w.x1, times * w.y1});
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(a[channel] / b[channel], 1, 0.02) << name << ", "
+                                                    << "rgb"[channel];
+  }
+}
+
 TEST(BitterliCornellBox, HasNoMirrorAndNoGlass) {
   const Case& scene = kCases[0];
   if (!std::filesystem::exists(folder_of(scene)))
