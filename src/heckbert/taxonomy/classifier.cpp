@@ -61,16 +61,15 @@ Classifier::Prefix Classifier::start() const {
 }
 
 Membership Classifier::classify(const Word& word) const {
-  Membership membership(language_count_);
-  std::vector<std::size_t> letters;
-  for (const Letter& letter : letters_of(word)) letters.push_back(columns_.of[columns_.alphabet.column(letter)]);
+  std::vector<std::uint16_t> letters{column(word.light, word.label(0))};
+  for (std::size_t i = 0; i < word.length(); ++i) letters.push_back(column(word.events[i], word.label(i + 1)));
+  letters.push_back(column(word.eye, kUnlabelled));
   if (from_ == WalkFrom::Eye) std::reverse(letters.begin(), letters.end());
+  Membership membership(language_count_);
   for (const Group& g : groups_) {
     StateId at = 0;
-    for (const std::size_t column : letters) at = g.automaton.step(at, column);
-    const auto bits = g.automaton.members(g.automaton.outcome(at));
-    for (std::size_t i = 0; i < language_count_; ++i)
-      if (bits[i / 64] >> i % 64 & 1) membership[i] = true;
+    for (const std::uint16_t letter : letters) at = g.automaton.step(at, letter);
+    for_each_member(g.automaton, at, [&](std::size_t i) { membership[i] = true; });
   }
   return membership;
 }

@@ -4,9 +4,9 @@
 // step per event, whatever the number of languages:
 //
 //   const Classifier classifier(languages, WalkFrom::Eye);
-//   auto at = classifier.step(classifier.start(), Symbol::Ep);      // the walk begins at a pinhole,
-//   at = classifier.step(at, Symbol::Dr);                           // scatters,
-//   const auto lit = classifier.step(at, Symbol::La);               // and a shadow ray finds an area light:
+//   const auto eye = classifier.step(classifier.start(), Symbol::Ep);  // once: every path begins at this pinhole,
+//   const auto at = classifier.step(eye, Symbol::Dr);                   // scatters,
+//   const auto lit = classifier.step(at, Symbol::La);                   // and a shadow ray finds an area light:
 //   classifier.for_each_member(lit, [&](std::size_t i) { image[i] += value; });
 //
 // The rule when fusing does not pay. Independent questions multiply: twenty of the kind "touches object i" have a
@@ -62,12 +62,7 @@ class Classifier {
   /// Calls f(i) for each language i that contains the word walked, in ascending order.
   template <class F>
   void for_each_member(Prefix word, F f) const {
-    for (const Group& g : groups_) {
-      const auto bits = g.automaton.members(g.automaton.outcome(g.state(word)));
-      for (std::size_t block = 0; block < bits.size(); ++block)
-        for (std::uint64_t rest = bits[block]; rest != 0; rest &= rest - 1)
-          f(64 * block + static_cast<std::size_t>(std::countr_zero(rest)));
-    }
+    for (const Group& g : groups_) for_each_member(g.automaton, g.state(word), f);
   }
 
   Membership classify(const Word& word) const;  ///< any number of groups; cost: one table step per letter and group
@@ -93,12 +88,23 @@ class Classifier {
     FusedAutomaton automaton;
     unsigned low_bit = 0;  ///< where its state lies in a Prefix
     Prefix mask = 0;       ///< of its state, shifted down
-    StateId state(Prefix at) const { return static_cast<StateId>(at >> low_bit & mask); }
+    std::size_t state(Prefix at) const { return at >> low_bit & mask; }
   };
 
+  template <class F>
+  static void for_each_member(const FusedAutomaton& automaton, std::size_t state, F f) {
+    const auto bits = automaton.members(automaton.outcome(state));
+    for (std::size_t block = 0; block < bits.size(); ++block)
+      for (std::uint64_t rest = bits[block]; rest != 0; rest &= rest - 1)
+        f(64 * block + static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+
+  std::uint16_t column(Symbol symbol, std::string_view label) const {
+    return label.empty() ? unlabelled_[index(symbol)] : columns_.of[Alphabet::column(symbol, label_class(label))];
+  }
   Prefix step_column(Prefix at, std::size_t column) const {
     if (groups_.size() == 1) [[likely]]
-      return groups_[0].automaton.step(static_cast<StateId>(at), column);
+      return groups_[0].automaton.step(at, column);
     Prefix next = 0;
     for (const Group& g : groups_) next |= Prefix{g.automaton.step(g.state(at), column)} << g.low_bit;
     return next;

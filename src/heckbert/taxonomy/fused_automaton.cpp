@@ -1,6 +1,5 @@
 #include <heckbert/taxonomy/fused_automaton.h>
 
-#include <bit>
 #include <unordered_map>
 #include <utility>
 
@@ -45,40 +44,30 @@ Columns shared_columns(std::span<const Language> languages) {
   return columns;
 }
 
-FusedAutomaton::FusedAutomaton(std::size_t column_count, std::size_t language_total)
-    : column_count_(column_count),
-      row_shift_(static_cast<unsigned>(std::bit_width(column_count))),
-      blocks_((language_total + 63) / 64) {}
-
-std::span<std::uint16_t> FusedAutomaton::add_row() {
-  table_.resize(table_.size() + (std::size_t{1} << row_shift_));
-  return std::span(table_).last(std::size_t{1} << row_shift_);
-}
-
 FusedAutomaton::FusedAutomaton(const Language& language, const Columns& columns, std::size_t number, std::size_t total)
     : FusedAutomaton(columns.count, total) {
   members_.resize(2 * blocks_);  // outcome 0: not a member, 1: a member
   members_[blocks_ + number / 64] = std::uint64_t{1} << number % 64;
   const std::vector<std::size_t> within = columns_within(language.alphabet(), columns.alphabet);
-  for (const State& state : language.states()) {
-    const auto row = add_row();
+  for (auto& column : next_) column.resize(language.states().size());
+  for (std::size_t q = 0; q < language.states().size(); ++q) {
+    const State& state = language.states()[q];
     for (std::size_t c = 0; c < within.size(); ++c)
-      row[columns.of[c]] = static_cast<std::uint16_t>(state.next[within[c]]);
-    row[column_count_] = state.accepting ? 1 : 0;
+      next_[columns.of[c]][q] = static_cast<std::uint16_t>(state.next[within[c]]);
+    outcomes_.push_back(state.accepting ? 1 : 0);
   }
 }
 
 std::optional<FusedAutomaton> fuse(const FusedAutomaton& a, const FusedAutomaton& b, std::size_t state_budget) {
-  FusedAutomaton fused(a.column_count_, 64 * a.blocks_);
+  FusedAutomaton fused(a.next_.size(), 64 * a.blocks_);
   PairNumbering states, outcomes;
   states.number(0, 0);
   for (std::size_t i = 0; i < states.pairs().size(); ++i) {
     const auto p = static_cast<StateId>(states.pairs()[i].first), q = static_cast<StateId>(states.pairs()[i].second);
-    const auto row = fused.add_row();
-    for (std::size_t c = 0; c < a.column_count_; ++c)
-      row[c] = static_cast<std::uint16_t>(states.number(a.step(p, c), b.step(q, c)));
+    for (std::size_t c = 0; c < fused.next_.size(); ++c)
+      fused.next_[c].push_back(static_cast<std::uint16_t>(states.number(a.step(p, c), b.step(q, c))));
     if (states.pairs().size() > state_budget) return std::nullopt;
-    row[a.column_count_] = static_cast<std::uint16_t>(outcomes.number(a.outcome(p), b.outcome(q)));
+    fused.outcomes_.push_back(static_cast<std::uint16_t>(outcomes.number(a.outcome(p), b.outcome(q))));
   }
   for (const auto& [in_a, in_b] : outcomes.pairs())
     for (std::size_t block = 0; block < a.blocks_; ++block)
