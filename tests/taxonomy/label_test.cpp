@@ -108,6 +108,12 @@ TEST(Labels, OfWitnessesAreOnesThatMatter) {
               HasSubstr("expected D'a', not Dr without a label"));
   EXPECT_THAT(describe(explain(compile("L D'a' E"), parse_word("LD'b'E")), parse_word("LD'b'E")),
               HasSubstr("expected D'a', not Dr'b'"));
+  const auto expected = [](const std::string& expression, const std::string& word) {
+    return describe(explain(compile(expression), parse_word(word)).expected);
+  };
+  EXPECT_EQ(expected("L D'a'* E", "LDE"), "D'a' or E");
+  EXPECT_EQ(expected("L [^'a']* E", "LD'a'E"), "[^.'a'] or E");
+  EXPECT_EQ(expected("L ([^SD'a']|S'b')* E", "LD'a'E"), "[^SD'a'], [.'b'] or E");
   // Labels that make no difference where they stand are not told one by one.
   EXPECT_EQ(first_words(compile("L [D'a'S'b'] E"), {.count = 99}).size(), 4u * 4u * 2u);
   EXPECT_EQ(count_words(compile("La [D'a'S'b']* Ep"), 2).back(), Natural(4u * 4u));

@@ -107,9 +107,13 @@ LetterSet operator-(const LetterSet& a, const LetterSet& b) {
   return by_label(a, b, [](unsigned x, unsigned y) { return x & ~y; });
 }
 
-std::string write(const LetterSet& set) {
+namespace {
+
+// What an expression lists with '|' between: labels may be added to a set or taken away from one, never both, and only
+// letters of one role can be taken away from.
+std::vector<std::string> alternatives(const LetterSet& set, SymbolSet role) {
   const SymbolSet others = set.others();
-  if (set.of_labels().empty()) return write(others);
+  if (set.of_labels().empty()) return {write(others)};
   const auto added = [others](SymbolSet symbols) {
     // A label that has every event is written so, which says some of the others again.
     const bool is_whole = (symbols & kEvents) == kEvents && (others & kEvents) != kEvents;
@@ -119,15 +123,37 @@ std::string write(const LetterSet& set) {
   const std::string more = with_labels(set, added), less = with_labels(set, removed);
   if (less.empty()) {
     const std::string plain = joined(names_of(others));
-    return plain.empty() && is_one_letter(set, added) ? more : "[" + plain + more + "]";
+    return {plain.empty() && is_one_letter(set, added) ? more : "[" + plain + more + "]"};
   }
-  const SymbolSet role = (others & kEvents) != 0 ? kEvents : kLights;
-  const std::string left = "[^" + joined(names_of(static_cast<SymbolSet>(role & ~others))) + less + "]";
-  return more.empty() ? left : "(" + left + "|[" + more + "])";
+  std::vector<std::string> result{"[^" + joined(names_of(static_cast<SymbolSet>(role & ~others))) + less + "]"};
+  if (!more.empty()) result.push_back("[" + more + "]");
+  return result;
+}
+
+std::vector<std::string> alternatives(const LetterSet& set) {
+  std::vector<std::string> all;
+  for (const SymbolSet role : {kLights, kEvents, kEyes})
+    if (const LetterSet part = set & LetterSet(role); !part.is_empty())
+      for (std::string& one : alternatives(part, role)) all.push_back(std::move(one));
+  return all;
+}
+
+}  // namespace
+
+std::string write(const LetterSet& set) {
+  if (set.of_labels().empty()) return write(set.others());
+  std::string text;
+  const std::vector<std::string> all = alternatives(set);
+  for (const std::string& one : all) text += (text.empty() ? "" : "|") + one;
+  return all.size() == 1 ? text : "(" + text + ")";
 }
 
 std::string describe(const LetterSet& set) {
-  return set.of_labels().empty() ? describe(set.others()) : write(set);
+  if (set.of_labels().empty()) return describe(set.others());
+  const std::vector<std::string> all = alternatives(set);
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) text += (i == 0 ? "" : i + 1 == all.size() ? " or " : ", ") + all[i];
+  return text;
 }
 
 }  // namespace heckbert::taxonomy
