@@ -94,13 +94,6 @@ void propose_repair(ExpressionSource& source, const DialectTree& parsed, const D
   if (again.errors.empty()) source.errors.back().suggestion = did_you_mean(*repaired);
 }
 
-[[noreturn]] void throw_sorted(ExpressionSource& source) {
-  std::stable_sort(source.errors.begin(), source.errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-  });
-  throw InputError(std::move(source.errors));
-}
-
 ReadingWithTree read_heckbert(std::string_view text, const Names& names, std::string_view name) {
   ReadingWithTree result{{compile(text, names, name), {}, {}}, {}};
   ExpressionSource source = source_of(name, text);
@@ -117,7 +110,8 @@ ReadingWithTree read_with_tree(std::string_view text, Dialect dialect, const Nam
   DialectTree parsed = parse_dialect(source, facts_of_dialect);
   if (!source.errors.empty()) {
     propose_repair(source, parsed, facts_of_dialect);
-    throw_sorted(source);
+    sort_by_place(source.errors);
+    throw InputError(std::move(source.errors));
   }
   ReadingWithTree result;
   result.reading.prefixes = std::move(parsed.prefixes);

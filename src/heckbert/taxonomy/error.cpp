@@ -11,29 +11,23 @@ namespace {
 // A line may be a whole minified file; only this many characters to either side of the culprit are shown.
 constexpr std::size_t kContext = 60;
 
-std::vector<std::string> printable_characters(std::string_view line) {
-  std::vector<std::string> characters;
-  for (std::size_t at = 0; at < line.size();) {
-    const Utf8Character c = utf8_at(line, at);
-    const bool control = (c.code < 0x20 && c.code != '\t') || (c.code >= 0x7F && c.code < 0xA0);
-    characters.emplace_back(!c.valid || control ? "?" : line.substr(at, c.length));
-    at += c.length;
-  }
-  return characters;
+std::string printable(std::string_view line, std::size_t at, const Utf8Character& c) {
+  const bool control = (c.code < 0x20 && c.code != '\t') || (c.code >= 0x7F && c.code < 0xA0);
+  return !c.valid || control ? "?" : std::string(line.substr(at, c.length));
 }
 
 void append_excerpt(std::string& out, const Diagnostic& d) {
-  const std::vector<std::string> characters = printable_characters(d.excerpt);
-  const std::size_t culprit = std::min(d.column - 1, characters.size());
-  const std::size_t first = culprit > kContext ? culprit - kContext : 0;
-  const std::size_t last = std::min(characters.size(), culprit + kContext);
-  const std::string_view cut_left = first > 0 ? "..." : "";
-  std::string text = "  ", carets = "  ";
-  text += cut_left;
-  carets.append(cut_left.size(), ' ');
-  for (std::size_t i = first; i < last; ++i) text += characters[i];
-  if (last < characters.size()) text += "...";
-  for (std::size_t i = first; i < culprit; ++i) carets += characters[i] == "\t" ? '\t' : ' ';
+  const std::size_t size = utf8_length(d.excerpt), culprit = std::min(d.column - 1, size);
+  const std::size_t first = culprit > kContext ? culprit - kContext : 0, last = std::min(size, culprit + kContext);
+  std::string text = first > 0 ? "  ..." : "  ";
+  std::string carets(text.size(), ' ');
+  for (std::size_t at = 0, number = 0; number < last; ++number) {
+    const Utf8Character c = utf8_at(d.excerpt, at);
+    if (number >= first) text += printable(d.excerpt, at, c);
+    if (number >= first && number < culprit) carets += d.excerpt[at] == '\t' ? '\t' : ' ';
+    at += c.length;
+  }
+  if (last < size) text += "...";
   carets.append(std::clamp<std::size_t>(d.length, 1, std::max<std::size_t>(1, last - culprit)), '^');
   out += text + "\n" + carets + "\n";
 }

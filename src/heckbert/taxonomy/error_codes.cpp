@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <charconv>
+#include <tuple>
 #include <utility>
 
 namespace heckbert::taxonomy {
@@ -44,6 +45,12 @@ Diagnostic diagnose(ErrorCode code, std::string_view source, std::string_view te
       heckbert::diagnose(source, text, offset, length, message_of(code, values), std::move(suggestion));
   diagnostic.code = label(code);
   return diagnostic;
+}
+
+void sort_by_place(std::vector<Diagnostic>& diagnostics) {
+  std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.source, a.line, a.column) < std::tie(b.source, b.line, b.column);
+  });
 }
 
 std::string warning_text(const Diagnostic& d) {

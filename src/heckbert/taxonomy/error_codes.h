@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <heckbert/taxonomy/error.h>
 
@@ -340,6 +341,9 @@ std::string message_of(ErrorCode code, std::initializer_list<std::string_view> v
 Diagnostic diagnose(ErrorCode code, std::string_view source, std::string_view text, std::size_t offset,
                     std::size_t length, std::initializer_list<std::string_view> values = {},
                     std::string suggestion = {});
+
+/// By source, then by place; what has the same place stays in the order in which it was found.
+void sort_by_place(std::vector<Diagnostic>& diagnostics);
 
 /// "message; suggestion [HB601]": a diagnostic that is no error, for one line.
 std::string warning_text(const Diagnostic& diagnostic);

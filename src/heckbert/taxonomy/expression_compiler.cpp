@@ -125,9 +125,7 @@ Language compile(std::string_view text, const Names& names, std::string_view sou
   ExpressionSource s{source, text, 0, text.size(), {}};
   auto language = compile(s, names);
   if (!language) {
-    std::stable_sort(s.errors.begin(), s.errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
-      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-    });
+    sort_by_place(s.errors);
     throw InputError(std::move(s.errors));
   }
   return std::move(*language);

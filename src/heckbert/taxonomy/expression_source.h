@@ -27,7 +27,8 @@ struct ExpressionSource {
               std::initializer_list<std::string_view> values = {}, std::string suggestion = {}) {
     if (errors.size() > kMostErrors) return;
     if (errors.size() == kMostErrors)
-      errors.push_back(heckbert::diagnose(name, document, offset, length, "too many errors; what follows here is not listed"));
+      errors.push_back(
+          heckbert::diagnose(name, document, offset, length, "too many errors; what follows here is not listed"));
     else
       errors.push_back(diagnose(code, name, document, offset, length, values, std::move(suggestion)));
   }

@@ -373,7 +373,7 @@ class TokenReader {
   }
 
   void report_open_count(std::size_t open) {
-    const std::size_t close = rest().find_first_of("}|()*+?");
+    const std::size_t close = rest().find_first_of("{}|()*+?");
     if (close != std::string_view::npos && rest()[close] == '}') {
       at_ += close + 1;
       source_.report(ErrorCode::MalformedCount, open, at_ - open);

@@ -360,12 +360,6 @@ bool is_before(const Grammar& a, const Grammar& b) {
   return std::tie(a.kind, a.order, a.name) < std::tie(b.kind, b.order, b.name);
 }
 
-void sort_by_place(std::vector<Diagnostic>& errors) {
-  std::stable_sort(errors.begin(), errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::tie(a.source, a.line, a.column) < std::tie(b.source, b.line, b.column);
-  });
-}
-
 }  // namespace
 
 bool has_language(const Grammar& grammar) {

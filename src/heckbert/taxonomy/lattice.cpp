@@ -77,8 +77,8 @@ std::string dot(const Lattice& lattice) {
     text += "  " + std::to_string(i) + " [label=" + dot_string(names) + "];\n";
   }
   for (const LatticeEdge& e : lattice.edges)
-    text += "  " + std::to_string(e.below) + " -> " + std::to_string(e.above) + " [label=" + dot_string(plain(e.witness)) +
-            "];\n";
+    text += "  " + std::to_string(e.below) + " -> " + std::to_string(e.above) +
+            " [label=" + dot_string(plain(e.witness)) + "];\n";
   return text + "}\n";
 }
 

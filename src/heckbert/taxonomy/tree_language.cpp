@@ -122,10 +122,9 @@ void throw_too_large(const ExpressionSource& source, const PlacedLimitError& err
   std::string text = source.text(error.offset(), std::min(error.length(), kShown));
   if (error.length() > kShown) text += "...";
   const bool is_counting = text.find('{') != std::string::npos;
-  std::string message = format(diagnose(ErrorCode::TooLarge, source.name, source.document, error.offset(), error.length(),
-                                        {quoted(text), error.what()},
-                                        is_counting ? "lower a count, or take away a '*' or '+' beside one"
-                                                    : "split the expression into smaller ones"));
+  std::string message = format(diagnose(
+      ErrorCode::TooLarge, source.name, source.document, error.offset(), error.length(), {quoted(text), error.what()},
+      is_counting ? "lower a count, or take away a '*' or '+' beside one" : "split the expression into smaller ones"));
   message.pop_back();  // the newline
   throw LimitError(message);
 }

@@ -37,9 +37,9 @@ const ErrorFacts& error_called(const std::string& text) {
   std::vector<std::string> labels;
   for (const ErrorFacts& error : taxonomy::kErrors) labels.push_back(label(error.code));
   const std::string near = nearest(text, labels);
-  throw UsageError(fmt::format("there is no error '{}'{}", text,
-                               near.empty() ? "; 'heckbert grammar errors' lists all"
-                                            : fmt::format("; did you mean '{}'?", near)));
+  throw UsageError(
+      fmt::format("there is no error '{}'{}", text,
+                  near.empty() ? "; 'heckbert grammar errors' lists all" : fmt::format("; did you mean '{}'?", near)));
 }
 
 /// A text that has the error, on one line; nothing where that would show nothing.
