@@ -86,6 +86,24 @@ TEST(ReadRecord, RefusesATornFile) {
   EXPECT_THAT(read_message(folder / "torn.exr"), HasSubstr("cannot read"));
 }
 
+// OpenEXR would allocate what an attribute promises; in both headers of a file of two parts.
+TEST(ReadRecord, RefusesAnAttributeThatReachesBeyondTheFile) {
+  using namespace std::string_literals;
+  const TemporaryFolder folder;
+  Record record = good_record();
+  record.ambient.assign(record.info.window.pixel_count(), Rgb(1));
+  write_record(record, folder / "whole.exr");
+  const std::string whole = bytes_of(folder / "whole.exr");
+  const std::string type = "type\0string\0"s;
+  for (const std::size_t at : {whole.find(type), whole.rfind(type)}) {
+    std::string damaged = whole;
+    damaged.replace(at + type.size(), 4, "\xF0\xFF\xFF\x7F");
+    put_bytes(folder / "damaged.exr", damaged);
+    EXPECT_THAT(read_message(folder / "damaged.exr"), HasSubstr("its header ends inside the attribute 'type'"));
+  }
+  EXPECT_NE(whole.find(type), whole.rfind(type));
+}
+
 /// Whatever bytes are damaged, reading ends in an error or in a record. 600 files, two bytes replaced in each, seed 32.
 TEST(ReadRecord, SurvivesDamagedBytes) {
   const TemporaryFolder folder;

@@ -49,7 +49,8 @@ void insert_rgb(Imf::ChannelList& channels, const std::string& prefix);
 /// Deflate packs at most 1032 to 1 (zlib technical details).
 bool can_unpack_to(std::uint64_t unpacked_bytes, std::uint64_t file_bytes);
 
-/// Throws std::runtime_error unless the path is a readable OpenEXR file; gives its size in bytes.
+/// Throws std::runtime_error unless the path is a readable OpenEXR file whose header fits in it; gives its size in
+/// bytes.
 std::uint64_t check_is_exr(const std::filesystem::path& path);
 
 /// Runs `read`; whatever it throws becomes a ReadError naming the file.
