@@ -1,6 +1,8 @@
 #include <heckbert/report/lattice_svg.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,7 +20,8 @@ namespace {
 // Source: Sugiyama, Tagawa, Toda 1981, "Methods for visual understanding of hierarchical system structures".
 
 constexpr double kLetter = 7.3;  // width of a letter of the font below, in pixels
-constexpr double kBoxHeight = 26, kLayerHeight = 84, kGap = 22, kMargin = 20;
+constexpr double kBoxHeight = 26, kLayerHeight = 96, kGap = 22, kMargin = 20;
+constexpr double kLabelLetter = 6.7, kLabelHeight = 13;
 constexpr int kSweeps = 24;
 
 struct Point {
@@ -116,12 +119,48 @@ class Layout {
   double width_ = 0;
 };
 
+struct Place {
+  double x, y;  ///< of the middle
+};
+
+// Where the labels of lines are: in the middle, or as near to it as other labels leave room.
+class Labels {
+ public:
+  Place add(Place from, Place to, double width) {
+    Label best{};
+    double least = std::numeric_limits<double>::infinity();
+    for (const double along : {.5, .38, .62, .26, .74, .14, .86}) {
+      const Label label{{from.x + along * (to.x - from.x), from.y + along * (to.y - from.y)}, width};
+      double hidden = 0;
+      for (const Label& other : labels_) hidden += overlap(label, other);
+      if (hidden >= least) continue;
+      best = label;
+      least = hidden;
+    }
+    labels_.push_back(best);
+    return best.middle;
+  }
+
+ private:
+  struct Label {
+    Place middle;
+    double width;
+  };
+  static double overlap(const Label& a, const Label& b) {
+    const double across = (a.width + b.width) / 2 - std::abs(a.middle.x - b.middle.x);
+    const double down = kLabelHeight - std::abs(a.middle.y - b.middle.y);
+    return std::max(0., across) * std::max(0., down);
+  }
+  std::vector<Label> labels_;
+};
+
 }  // namespace
 
 std::string lattice_svg(const taxonomy::Lattice& lattice) {
   if (lattice.nodes.empty()) return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1\" height=\"1\"/>\n";
   const Layout layout(lattice);
-  std::string lines, labels, boxes, names;
+  std::string lines, witnesses, boxes, names;
+  Labels labels;
   for (std::size_t e = 0; e < lattice.edges.size(); ++e) {
     const std::vector<std::size_t>& path = layout.paths()[e];
     std::string points;
@@ -135,9 +174,11 @@ std::string lattice_svg(const taxonomy::Lattice& lattice) {
     lines += fmt::format("<polyline points=\"{}\"/>\n", points);
     // In the middle of a long line, where those of one node have spread out.
     const std::size_t lower = (path.size() - 2) / 2, from = path[lower], to = path[lower + 1];
-    const double x = (layout.point(from).x + layout.point(to).x) / 2, y = (layout.y(from) + layout.y(to)) / 2;
-    labels +=
-        fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n", x, y + 4, escaped(plain(lattice.edges[e].witness)));
+    const std::string witness = plain(lattice.edges[e].witness);
+    const Place place = labels.add({layout.point(from).x, layout.y(from) - kBoxHeight / 2},
+                                   {layout.point(to).x, layout.y(to) + kBoxHeight / 2},
+                                   static_cast<double>(display_width(witness)) * kLabelLetter);
+    witnesses += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n", place.x, place.y + 4, escaped(witness));
   }
   for (std::size_t i = 0; i < lattice.nodes.size(); ++i) {
     const Point& p = layout.point(i);
@@ -153,7 +194,7 @@ std::string lattice_svg(const taxonomy::Lattice& lattice) {
       "<g fill=\"none\" stroke=\"#99a\">\n{2}</g>\n"
       "<g fill=\"#a40\" font-size=\"11\" stroke=\"white\" stroke-width=\"4\" paint-order=\"stroke\">\n{3}</g>\n"
       "<g fill=\"#eef3fa\" stroke=\"#468\">\n{4}</g>\n<g fill=\"#123\">\n{5}</g>\n</svg>\n",
-      layout.width(), layout.height(), lines, labels, boxes, names);
+      layout.width(), layout.height(), lines, witnesses, boxes, names);
 }
 
 }  // namespace heckbert::report
