@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <heckbert/transport/frame.h>
-#include <heckbert/transport/spherical_rectangle.h>
 #include <heckbert/transport/spherical_triangle.h>
 
 namespace heckbert::transport {
@@ -43,10 +42,6 @@ float pdf_by_area(const Emitter& e, glm::vec3 from, glm::vec3 position, glm::vec
   const float distance2 = glm::dot(d, d);
   const float cos_times_distance = std::abs(glm::dot(d, normal));
   return cos_times_distance > 0 ? distance2 * std::sqrt(distance2) / (e.area * cos_times_distance) : 0.0f;
-}
-
-SphericalRectangle spherical_rectangle(const Emitter& e, glm::vec3 from) {
-  return {e.origin, e.edge_u, e.edge_v, from};
 }
 
 SphericalTriangle spherical_triangle(const Emitter& e, glm::vec3 from) {
@@ -144,6 +139,7 @@ std::optional<Emitter> rectangle_emitter(const Corners& first, const Corners& se
       e.normal = normal / e.area;
       e.center = 0.5f * (next + last);
       e.extent = 0.5f * glm::distance(next, last);
+      e.rectangle = Rectangle(e.origin, e.edge_u, e.edge_v);
       return e;
     }
   return std::nullopt;
@@ -174,7 +170,7 @@ std::optional<SurfaceSample> sample_surface(const Emitter& e, glm::vec3 from, gl
       if (is_near(e, from)) return sample_by_solid_angle(spherical_triangle(e, from), e, u);
       break;
     case Form::Rectangle:
-      if (is_near(e, from)) return sample_by_solid_angle(spherical_rectangle(e, from), e, u);
+      if (is_near(e, from)) return sample_by_solid_angle(SphericalRectangle(e.rectangle, from), e, u);
       break;
     case Form::Sphere: {
       const glm::vec3 d = e.center - from;
@@ -194,7 +190,7 @@ float pdf_solid_angle(const Emitter& e, glm::vec3 from, glm::vec3 position, glm:
       if (is_near(e, from)) return pdf_by_solid_angle(spherical_triangle(e, from));
       break;
     case Form::Rectangle:
-      if (is_near(e, from)) return pdf_by_solid_angle(spherical_rectangle(e, from));
+      if (is_near(e, from)) return pdf_by_solid_angle(SphericalRectangle(e.rectangle, from));
       break;
     case Form::Sphere: {
       const glm::vec3 d = e.center - from;

@@ -10,6 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <heckbert/transport/spherical_rectangle.h>
+
 namespace heckbert::transport {
 
 /// One piece of an area light, in world space. Two neighbouring triangles that make a rectangle are one piece.
@@ -24,6 +26,7 @@ struct Emitter {
   float area = 0;
   float error = 0;  ///< as Hit::error, for a shadow ray that ends here
   std::uint32_t material = 0;
+  Rectangle rectangle{};  ///< the same once more, for drawing by solid angle
 };
 
 /// Counter-clockwise seen from the front.
