@@ -137,11 +137,11 @@ TEST(Emitter, SamplesFollowTheirDensityAndItIsNormalised) {
       EXPECT_NEAR(whole, 1.0, 2e-3);
       for (int n = 0; n < kDraws; ++n) {
         const auto s = sample_surface(piece.emitter, from, Sampler(3, n, 0, 0).next2());
-        ASSERT_TRUE(s);
-        const glm::dvec2 place = piece.place_of(glm::dvec3(s->position)) * double{kCells};
+        ASSERT_GT(s.pdf_solid_angle, 0);
+        const glm::dvec2 place = piece.place_of(glm::dvec3(s.position)) * double{kCells};
         const auto cell = [](double x) { return std::clamp(static_cast<int>(x), 0, kCells - 1); };
         ++seen[static_cast<std::size_t>(cell(place.x) * kCells + cell(place.y))];
-        ASSERT_NEAR(pdf_solid_angle(piece.emitter, from, s->position, s->normal) / s->pdf_solid_angle, 1, 1e-3);
+        ASSERT_NEAR(pdf_solid_angle(piece.emitter, from, s.position, s.normal) / s.pdf_solid_angle, 1, 1e-3);
       }
       EXPECT_LT(chi_square_excess(expected, seen), 4.2);
     }

@@ -50,9 +50,9 @@ SphericalTriangle spherical_triangle(const Emitter& e, glm::vec3 from) {
 
 /// A point and its density where the whole piece has the same one.
 template <class Spherical>
-std::optional<SurfaceSample> sample_by_solid_angle(const Spherical& spherical, const Emitter& e, glm::vec2 u) {
-  if (!(spherical.solid_angle() > kEdgeOn)) return std::nullopt;
-  return SurfaceSample{spherical.sample(u), e.normal, static_cast<float>(1 / spherical.solid_angle())};
+SurfaceSample sample_by_solid_angle(const Spherical& spherical, const Emitter& e, glm::vec2 u) {
+  if (!(spherical.solid_angle() > kEdgeOn)) return {};
+  return {spherical.sample(u), e.normal, static_cast<float>(1 / spherical.solid_angle())};
 }
 
 template <class Spherical>
@@ -79,7 +79,7 @@ SurfaceSample sample_cone(const Emitter& e, glm::vec3 from, float distance2, glm
   return {e.center + e.radius * normal, normal, 1.0f / (2.0f * kPi * whole)};
 }
 
-std::optional<SurfaceSample> sample_by_area(const Emitter& e, glm::vec3 from, glm::vec2 u) {
+SurfaceSample sample_by_area(const Emitter& e, glm::vec3 from, glm::vec2 u) {
   SurfaceSample s{.position = e.origin, .normal = e.normal};
   switch (e.form) {
     case Form::Triangle: {
@@ -102,7 +102,6 @@ std::optional<SurfaceSample> sample_by_area(const Emitter& e, glm::vec3 from, gl
       break;
   }
   s.pdf_solid_angle = pdf_by_area(e, from, s.position, s.normal);
-  if (!(s.pdf_solid_angle > 0)) return std::nullopt;
   return s;
 }
 
@@ -164,7 +163,7 @@ Emitter sphere_emitter(glm::vec3 center, float radius) {
           .area = 4.0f * kPi * radius * radius};
 }
 
-std::optional<SurfaceSample> sample_surface(const Emitter& e, glm::vec3 from, glm::vec2 u) {
+SurfaceSample sample_surface(const Emitter& e, glm::vec3 from, glm::vec2 u) {
   switch (e.form) {
     case Form::Triangle:
       if (is_near(e, from)) return sample_by_solid_angle(spherical_triangle(e, from), e, u);
