@@ -129,11 +129,10 @@ record::Estimate irradiance(const Scene& scene, Way way, int count, int seed) {
     }
     if (way != Way::Hit) {
       const auto light = lights.sample(from, sampler);
-      if (light && light->direction.y > 0) {
-        const float weight =
-            way == Way::Both ? power_heuristic(light->pdf_solid_angle, light->direction.y / kPi) : 1.0f;
-        value += static_cast<double>(arriving(tracer, lights, from, *light).g * light->direction.y /
-                                     light->pdf_solid_angle * weight);
+      if (light.pdf_solid_angle > 0 && light.direction.y > 0) {
+        const float weight = way == Way::Both ? power_heuristic(light.pdf_solid_angle, light.direction.y / kPi) : 1.0f;
+        value += static_cast<double>(arriving(tracer, lights, from, light).g * light.direction.y /
+                                     light.pdf_solid_angle * weight);
       }
     }
     sum += value;
@@ -166,16 +165,16 @@ TEST(Lights, AreSampledWithTheDensityThatIsAskedForTheirHits) {
       Sampler sampler(5, n, 0, 0);
       const glm::vec3 from = 0.3f * uniform_sphere(sampler.next2());
       const auto light = lights.sample(from, sampler);
-      if (!light) continue;
-      if (light->infinite) {
-        EXPECT_NEAR(lights.pdf_environment(light->direction) / light->pdf_solid_angle, 1, 1e-3) << s.name;
-        EXPECT_NEAR(lights.environment(light->direction).g, light->radiance.g, 1e-3) << s.name;
+      if (!(light.pdf_solid_angle > 0)) continue;
+      if (light.infinite) {
+        EXPECT_NEAR(lights.pdf_environment(light.direction) / light.pdf_solid_angle, 1, 1e-3) << s.name;
+        EXPECT_NEAR(lights.environment(light.direction).g, light.radiance.g, 1e-3) << s.name;
         ++compared;
         continue;
       }
-      const auto hit = tracer.intersect({from, light->direction});
-      if (!hit || hit->emitter == kNoEmitter || glm::distance(hit->position, light->target) > 1e-3f) continue;
-      ASSERT_NEAR(lights.pdf_solid_angle(*hit, from) / light->pdf_solid_angle, 1, 1e-2) << s.name;
+      const auto hit = tracer.intersect({from, light.direction});
+      if (!hit || hit->emitter == kNoEmitter || glm::distance(hit->position, light.target) > 1e-3f) continue;
+      ASSERT_NEAR(lights.pdf_solid_angle(*hit, from) / light.pdf_solid_angle, 1, 1e-2) << s.name;
       ++compared;
     }
     EXPECT_GT(compared, 400) << s.name;
@@ -361,7 +360,8 @@ TEST(ClosedForm, OfTheFluxOfASpotInAClosedRoom) {
               (50.0 / kSteps / 180 * kPiD);
     }
     EXPECT_NEAR(power(spot), flux, 1e-4 * flux);
-    const auto record = render(scene, {.width = 16, .height = 16, .samples_per_pixel = 1024, .max_depth = 3});
+    const auto record =
+        render(scene, {.width = 16, .height = 16, .samples_per_pixel = 1024, .max_depth = 3, .seed = 2});
     expect_energies(record, {{"LDDE", 0.25 * flux / (4 * kPiD * kPiD)}, {"LDDDE", 0.125 * flux / (4 * kPiD * kPiD)}});
   }
 }

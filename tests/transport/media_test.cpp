@@ -323,7 +323,10 @@ TEST(NestedDielectrics, AnEyeUnderWaterKnowsIt) {
   scene.media = {{.name = "water", .absorption = Rgb(0.2f)}};
   add(scene, make_box({-9, -9, -1}, {9, 9, 9}), glass(1.33f, 0));
   const double expected = transmitted(1.33, 1) * 1.33 * 1.33 * std::exp(-0.2 * 6);
-  expect_energies(render(scene, small(1024, 1)), {{"LSE", expected}});
+  // Of Sobol's points every batch may reflect the same whole number, and a spread of nothing bounds nothing.
+  RenderSettings settings = small(1024, 1);
+  settings.sampler = SamplerKind::Random;
+  expect_energies(render(scene, settings), {{"LSE", expected}});
 }
 
 TEST(NestedDielectrics, GlassInWaterBendsByTheRatioOfTheirIndices) {

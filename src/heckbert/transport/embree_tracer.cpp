@@ -436,10 +436,11 @@ std::optional<Hit> Tracer::intersect(const Ray& ray, float farthest) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(impl_->scene.get(), &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  std::optional<Hit> met;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return met;
 
   const Placed& p = impl_->placed_at(query.hit);
-  Hit hit;
+  Hit& hit = met.emplace();
   if (const auto* mesh = std::get_if<Mesh>(&p.shape->geometry)) {
     const Face& face = p.faces[query.hit.primID];
     const float u = query.hit.u, v = query.hit.v;
@@ -516,7 +517,7 @@ std::optional<Hit> Tracer::intersect(const Ray& ray, float farthest) const {
     }
     if (!p.emitters.empty()) hit.emitter = p.emitters.front();
   }
-  return hit;
+  return met;
 }
 
 bool Tracer::is_occluded(glm::vec3 from, glm::vec3 to) const {

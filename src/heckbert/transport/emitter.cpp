@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <heckbert/transport/frame.h>
-#include <heckbert/transport/spherical_rectangle.h>
 #include <heckbert/transport/spherical_triangle.h>
 
 namespace heckbert::transport {
@@ -45,19 +44,15 @@ float pdf_by_area(const Emitter& e, glm::vec3 from, glm::vec3 position, glm::vec
   return cos_times_distance > 0 ? distance2 * std::sqrt(distance2) / (e.area * cos_times_distance) : 0.0f;
 }
 
-SphericalRectangle spherical_rectangle(const Emitter& e, glm::vec3 from) {
-  return {e.origin, e.edge_u, e.edge_v, from};
-}
-
 SphericalTriangle spherical_triangle(const Emitter& e, glm::vec3 from) {
   return {e.origin, e.origin + e.edge_u, e.origin + e.edge_v, e.normal, from};
 }
 
 /// A point and its density where the whole piece has the same one.
 template <class Spherical>
-std::optional<SurfaceSample> sample_by_solid_angle(const Spherical& spherical, const Emitter& e, glm::vec2 u) {
-  if (!(spherical.solid_angle() > kEdgeOn)) return std::nullopt;
-  return SurfaceSample{spherical.sample(u), e.normal, static_cast<float>(1 / spherical.solid_angle())};
+SurfaceSample sample_by_solid_angle(const Spherical& spherical, const Emitter& e, glm::vec2 u) {
+  if (!(spherical.solid_angle() > kEdgeOn)) return {};
+  return {spherical.sample(u), e.normal, static_cast<float>(1 / spherical.solid_angle())};
 }
 
 template <class Spherical>
@@ -84,7 +79,7 @@ SurfaceSample sample_cone(const Emitter& e, glm::vec3 from, float distance2, glm
   return {e.center + e.radius * normal, normal, 1.0f / (2.0f * kPi * whole)};
 }
 
-std::optional<SurfaceSample> sample_by_area(const Emitter& e, glm::vec3 from, glm::vec2 u) {
+SurfaceSample sample_by_area(const Emitter& e, glm::vec3 from, glm::vec2 u) {
   SurfaceSample s{.position = e.origin, .normal = e.normal};
   switch (e.form) {
     case Form::Triangle: {
@@ -107,7 +102,6 @@ std::optional<SurfaceSample> sample_by_area(const Emitter& e, glm::vec3 from, gl
       break;
   }
   s.pdf_solid_angle = pdf_by_area(e, from, s.position, s.normal);
-  if (!(s.pdf_solid_angle > 0)) return std::nullopt;
   return s;
 }
 
@@ -144,6 +138,7 @@ std::optional<Emitter> rectangle_emitter(const Corners& first, const Corners& se
       e.normal = normal / e.area;
       e.center = 0.5f * (next + last);
       e.extent = 0.5f * glm::distance(next, last);
+      e.rectangle = Rectangle(e.origin, e.edge_u, e.edge_v);
       return e;
     }
   return std::nullopt;
@@ -168,13 +163,13 @@ Emitter sphere_emitter(glm::vec3 center, float radius) {
           .area = 4.0f * kPi * radius * radius};
 }
 
-std::optional<SurfaceSample> sample_surface(const Emitter& e, glm::vec3 from, glm::vec2 u) {
+SurfaceSample sample_surface(const Emitter& e, glm::vec3 from, glm::vec2 u) {
   switch (e.form) {
     case Form::Triangle:
       if (is_near(e, from)) return sample_by_solid_angle(spherical_triangle(e, from), e, u);
       break;
     case Form::Rectangle:
-      if (is_near(e, from)) return sample_by_solid_angle(spherical_rectangle(e, from), e, u);
+      if (is_near(e, from)) return sample_by_solid_angle(SphericalRectangle(e.rectangle, from), e, u);
       break;
     case Form::Sphere: {
       const glm::vec3 d = e.center - from;
@@ -194,7 +189,7 @@ float pdf_solid_angle(const Emitter& e, glm::vec3 from, glm::vec3 position, glm:
       if (is_near(e, from)) return pdf_by_solid_angle(spherical_triangle(e, from));
       break;
     case Form::Rectangle:
-      if (is_near(e, from)) return pdf_by_solid_angle(spherical_rectangle(e, from));
+      if (is_near(e, from)) return pdf_by_solid_angle(SphericalRectangle(e.rectangle, from));
       break;
     case Form::Sphere: {
       const glm::vec3 d = e.center - from;

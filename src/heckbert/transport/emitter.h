@@ -10,6 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <heckbert/transport/spherical_rectangle.h>
+
 namespace heckbert::transport {
 
 /// One piece of an area light, in world space. Two neighbouring triangles that make a rectangle are one piece.
@@ -24,6 +26,7 @@ struct Emitter {
   float area = 0;
   float error = 0;  ///< as Hit::error, for a shadow ray that ends here
   std::uint32_t material = 0;
+  Rectangle rectangle{};  ///< the same once more, for drawing by solid angle
 };
 
 /// Counter-clockwise seen from the front.
@@ -36,13 +39,14 @@ Emitter disk_emitter(glm::vec3 center, glm::vec3 normal, float radius);
 Emitter sphere_emitter(glm::vec3 center, float radius);
 
 struct SurfaceSample {
-  glm::vec3 position;
-  glm::vec3 normal;           ///< unit, on the front
-  float pdf_solid_angle = 0;  ///< per steradian as seen from where it was asked; above zero
+  glm::vec3 position{0};
+  glm::vec3 normal{0};  ///< unit, on the front
+  /// Per steradian as seen from where it was asked; 0: the piece is seen edge on, and the rest says nothing.
+  float pdf_solid_angle = 0;
 };
 
-/// A point of the piece as seen from `from`; nothing where the piece is seen edge on.
-std::optional<SurfaceSample> sample_surface(const Emitter& emitter, glm::vec3 from, glm::vec2 u);
+/// A point of the piece as seen from `from`.
+SurfaceSample sample_surface(const Emitter& emitter, glm::vec3 from, glm::vec2 u);
 
 /// The density with which sample_surface draws this point; 0 where it gives nothing.
 float pdf_solid_angle(const Emitter& emitter, glm::vec3 from, glm::vec3 position, glm::vec3 normal);

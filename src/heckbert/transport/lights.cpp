@@ -28,9 +28,14 @@ std::vector<float> mean_emissions(const Scene& scene) {
   return means;
 }
 
-LightSample from_delta(Symbol kind, const DeltaSample& delta) {
-  return {
-      .kind = kind, .direction = delta.direction, .radiance = delta.irradiance, .pdf_solid_angle = 1, .is_delta = true};
+LightSample from_point(const std::optional<DeltaSample>& delta, glm::vec3 position, float probability) {
+  if (!delta) return {};
+  return {.kind = Symbol::Lp,
+          .direction = delta->direction,
+          .target = position,
+          .radiance = delta->irradiance,
+          .pdf_solid_angle = probability,
+          .is_delta = true};
 }
 
 }  // namespace
@@ -80,6 +85,7 @@ Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer
     near_tree_.emplace(near);
   else
     near_choice_ = DiscreteDistribution(std::move(near_power));
+  if (near_.size() + far_.size() == 1) only_ = near_.empty() ? far_.front() : near_.front();
 }
 
 Rgb Lights::emitted(std::uint32_t material, bool front) const {
@@ -109,84 +115,73 @@ float Lights::pdf_solid_angle(const Hit& hit, glm::vec3 from) const {
          transport::pdf_solid_angle(tracer_.emitters()[hit.emitter], from, hit.position, hit.normal_geometric);
 }
 
-std::optional<LightTree::Choice> Lights::choose_near(glm::vec3 from, double u) const {
-  if (near_tree_) return near_tree_->sample(from, u);
-  const std::size_t light = near_choice_.sample(u).index;
-  return LightTree::Choice{light, near_choice_.probability(light)};
-}
-
-std::optional<LightSample> Lights::sample(glm::vec3 from, Sampler& sampler) const {
-  const double pick = sampler.next_fine();
-  const glm::vec2 u = sampler.next2();
-  if (empty()) return std::nullopt;
-  const auto [group, rest] = groups_.sample(pick);
-  double choice = groups_.probability(group);
-  Source source{};
-  if (group == 0) {
-    const auto near = choose_near(from, rest);
-    if (!near) return std::nullopt;
-    choice *= near->probability;
-    source = near_[near->light];
-  } else {
-    source = far_[group - 1];
+Lights::Choice Lights::choose(glm::vec3 from, double u) const {
+  const auto [group, rest] = groups_.sample(u);
+  const double of_group = groups_.probability(group);
+  if (group > 0) return {far_[group - 1], static_cast<float>(of_group)};
+  if (!near_tree_) {
+    const std::size_t light = near_choice_.sample(rest).index;
+    return {near_[light], static_cast<float>(of_group * near_choice_.probability(light))};
   }
-  std::optional<LightSample> s = sample_source(source, from, u);
-  if (s) s->pdf_solid_angle *= static_cast<float>(choice);
-  return s;
+  const std::optional<LightTree::Choice> near = near_tree_->sample(from, rest);
+  return near ? Choice{near_[near->light], static_cast<float>(of_group * near->probability)} : Choice{};
 }
 
-std::optional<LightSample> Lights::sample_source(Source source, glm::vec3 from, glm::vec2 u) const {
+LightSample Lights::sample(glm::vec3 from, Sampler& sampler) const {
+  if (empty()) return {};
+  const Choice choice = only_ ? Choice{*only_, 1} : choose(from, sampler.next_fine());
+  const glm::vec2 u = sampler.next2();
+  return choice.probability > 0 ? sample_source(choice, from, u) : LightSample{};
+}
+
+LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec2 u) const {
+  const auto [source, probability] = choice;
   switch (source.type) {
     case Source::Type::Emitter: {
       const Emitter& e = tracer_.emitters()[source.index];
-      const std::optional<SurfaceSample> surface = sample_surface(e, from, u);
-      if (!surface) return std::nullopt;
-      const glm::vec3 d = surface->position - from;
+      const SurfaceSample surface = sample_surface(e, from, u);
+      const glm::vec3 d = surface.position - from;
       const float distance = glm::length(d);
-      if (!(distance > 0)) return std::nullopt;
-      const bool front = glm::dot(d, surface->normal) < 0;
+      if (!(surface.pdf_solid_angle > 0 && distance > 0)) return {};
+      const bool front = glm::dot(d, surface.normal) < 0;
       const Rgb radiance = emitted(e.material, front);
-      if (is_black(radiance)) return std::nullopt;
+      if (is_black(radiance)) return {};
       const Material& material = scene_.materials[e.material];
-      return LightSample{.kind = Symbol::La,
-                         .direction = d / distance,
-                         .target = surface->position + (front ? e.error : -e.error) * surface->normal,
-                         .radiance = radiance,
-                         .pdf_solid_angle = surface->pdf_solid_angle,
-                         .to_be_met = material.opacity || material.emission_texture ? source.index : kNoEmitter};
+      return {.kind = Symbol::La,
+              .direction = d / distance,
+              .target = surface.position + (front ? e.error : -e.error) * surface.normal,
+              .radiance = radiance,
+              .pdf_solid_angle = probability * surface.pdf_solid_angle,
+              .to_be_met = material.opacity || material.emission_texture ? source.index : kNoEmitter};
     }
     case Source::Type::Point: {
       const PointLight& light = scene_.point_lights[source.index];
-      const auto delta = sample_delta(light, from);
-      if (!delta) return std::nullopt;
-      LightSample s = from_delta(Symbol::Lp, *delta);
-      s.target = light.position;
-      return s;
+      return from_point(sample_delta(light, from), light.position, probability);
     }
     case Source::Type::Spot: {
       const SpotLight& light = scene_.spot_lights[source.index];
-      const auto delta = sample_delta(light, from);
-      if (!delta) return std::nullopt;
-      LightSample s = from_delta(Symbol::Lp, *delta);
-      s.target = light.position;
-      return s;
+      return from_point(sample_delta(light, from), light.position, probability);
     }
     case Source::Type::Distant: {
-      LightSample s = from_delta(Symbol::Ld, sample_delta(scene_.distant_lights[source.index]));
-      s.infinite = true;
-      return s;
+      const DeltaSample delta = sample_delta(scene_.distant_lights[source.index]);
+      return {.kind = Symbol::Ld,
+              .direction = delta.direction,
+              .infinite = true,
+              .radiance = delta.irradiance,
+              .pdf_solid_angle = probability,
+              .is_delta = true};
     }
     case Source::Type::Environment: {
       const EnvironmentSample sky = environment_.sample(u);
-      if (is_black(sky.radiance)) return std::nullopt;
-      return LightSample{.kind = Symbol::Le,
-                         .direction = sky.direction,
-                         .infinite = true,
-                         .radiance = sky.radiance,
-                         .pdf_solid_angle = sky.pdf_solid_angle};
+      if (is_black(sky.radiance)) return {};
+      return {.kind = Symbol::Le,
+              .direction = sky.direction,
+              .infinite = true,
+              .radiance = sky.radiance,
+              .pdf_solid_angle = probability * sky.pdf_solid_angle};
     }
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace heckbert::transport

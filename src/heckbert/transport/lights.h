@@ -23,7 +23,8 @@ struct LightSample {
   bool infinite = false;
   /// Radiance, or the irradiance that a delta light gives a surface facing it; before division by the density.
   Rgb radiance;
-  /// With the probability of choosing this light; for a delta light that probability alone.
+  /// With the probability of choosing this light; for a delta light that probability alone. 0: the draw sends no light
+  /// to the point, and the rest says nothing.
   float pdf_solid_angle = 0;
   bool is_delta = false;  ///< no ray can hit it by chance
   /// A light whose surface has holes or a texture: the shadow ray must meet this very emitter, not just reach `target`,
@@ -36,8 +37,8 @@ class Lights {
   Lights(const Scene& scene, const Tracer& tracer);
 
   bool empty() const { return groups_.empty(); }
-  /// A light and a point on it as seen from `from`; nothing when the draw sends no light there.
-  std::optional<LightSample> sample(glm::vec3 from, Sampler& sampler) const;
+  /// A light and a point on it as seen from `from`.
+  LightSample sample(glm::vec3 from, Sampler& sampler) const;
 
   /// Radiance that leaves the hit surface towards the ray's origin; black for anything but an emitter's lit side.
   Rgb emitted(const Hit& hit) const;
@@ -55,8 +56,12 @@ class Lights {
   };
   /// Without its texture.
   Rgb emitted(std::uint32_t material, bool front) const;
-  std::optional<LightTree::Choice> choose_near(glm::vec3 from, double u) const;
-  std::optional<LightSample> sample_source(Source source, glm::vec3 from, glm::vec2 u) const;
+  struct Choice {
+    Source source{};
+    float probability = 0;  ///< 0: no light
+  };
+  Choice choose(glm::vec3 from, double u) const;
+  LightSample sample_source(const Choice& choice, glm::vec3 from, glm::vec2 u) const;
 
   const Scene& scene_;
   const Tracer& tracer_;
@@ -66,6 +71,7 @@ class Lights {
   std::optional<LightTree> near_tree_;  ///< over near_, when there are many
   DiscreteDistribution near_choice_;    ///< by power otherwise
   DiscreteDistribution groups_;         ///< all of near_, then each of far_
+  std::optional<Source> only_;          ///< where there is nothing to choose
 };
 
 }  // namespace heckbert::transport

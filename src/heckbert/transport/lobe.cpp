@@ -25,6 +25,7 @@ struct Kind {
   static constexpr bool diffuse = is_one_of<T, Lambert, OrenNayar, DiffuseTransmission, CoatedDiffuse>;
   static constexpr bool reflects = !dirac && !is_one_of<T, DiffuseTransmission>;
   static constexpr bool transmits = is_one_of<T, DiffuseTransmission, RoughDielectric>;
+  static constexpr bool branching = is_one_of<T, Dielectric, ThinDielectric, RoughDielectric>;
 
   /// Can the lobe, having no Dirac, take wo to wi?
   static bool connects(glm::vec3 wo, glm::vec3 wi) {
@@ -45,30 +46,23 @@ bool transmits(const Lobe& lobe) {
   return std::visit([](const auto& l) { return KindOf<decltype(l)>::transmits; }, lobe);
 }
 
+bool is_branching(const Lobe& lobe) {
+  return std::visit([](const auto& l) { return KindOf<decltype(l)>::branching; }, lobe);
+}
+
 Symbol letter(const Lobe& lobe, bool transmitted) {
   const bool diffuse = std::visit([](const auto& l) { return KindOf<decltype(l)>::diffuse; }, lobe);
   if (diffuse) return transmitted ? Symbol::Dt : Symbol::Dr;
   return transmitted ? Symbol::Gt : Symbol::Gr;
 }
 
-Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front) {
+LobeValue value_and_pdf(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front) {
   return std::visit(
       [&](const auto& l) {
-        if constexpr (KindOf<decltype(l)>::dirac)
-          return Rgb{};
-        else
-          return KindOf<decltype(l)>::connects(wo, wi) ? evaluate_lobe(l, wo, wi, front) : Rgb{};
-      },
-      lobe);
-}
-
-float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front) {
-  return std::visit(
-      [&](const auto& l) {
-        if constexpr (KindOf<decltype(l)>::dirac)
-          return 0.0f;
-        else
-          return KindOf<decltype(l)>::connects(wo, wi) ? pdf_of_lobe(l, wo, wi, front) : 0.0f;
+        if constexpr (!KindOf<decltype(l)>::dirac)
+          if (KindOf<decltype(l)>::connects(wo, wi))
+            return LobeValue{evaluate_lobe(l, wo, wi, front), pdf_of_lobe(l, wo, wi, front)};
+        return LobeValue{};
       },
       lobe);
 }

@@ -26,15 +26,26 @@ bool is_delta(const Lobe& lobe);
 /// May evaluate() be more than black below the horizon?
 bool transmits(const Lobe& lobe);
 
+/// Has it two events, of which following it chooses one?
+bool is_branching(const Lobe& lobe);
+
 /// The letter of a lobe without a Dirac. Delta lobes name their events themselves.
 taxonomy::Symbol letter(const Lobe& lobe, bool transmitted = false);
 
-/// f(wo, wi) per steradian, without the cosine, for radiance arriving from wi; black for delta lobes. Transmission
-/// carries the compression of radiance.
-Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true);
+/// What a lobe does with radiance that arrives from wi.
+struct LobeValue {
+  Rgb f;                      ///< f(wo, wi) per steradian, without the cosine; with the compression of radiance
+  float pdf_solid_angle = 0;  ///< with which sample_direction picks wi, per steradian
+};
+/// Black and 0 for delta lobes.
+LobeValue value_and_pdf(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true);
 
-/// Density with which sample_direction picks wi, per steradian; 0 for delta lobes.
-float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true);
+inline Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true) {
+  return value_and_pdf(lobe, wo, wi, front).f;
+}
+inline float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true) {
+  return value_and_pdf(lobe, wo, wi, front).pdf_solid_angle;
+}
 
 /// A direction drawn by pdf_solid_angle; nothing when the draw falls on the wrong side or the lobe is a delta.
 std::optional<glm::vec3> sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec3 u, bool front = true);

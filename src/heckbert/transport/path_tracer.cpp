@@ -18,12 +18,11 @@ namespace {
 constexpr int kRouletteStart = 4;
 constexpr float kHighestSurvival = 0.95f;
 
-/// How a path goes on from a vertex.
+/// How a path goes on from a vertex; unless it says more, not at all.
 struct Continuation {
-  Ray ray;
+  Ray ray{};
   Symbol event = Symbol::Dr;
-  Rgb factor;  ///< f cos / p of the chosen lobe, every choice divided out
-  bool by_delta = false;
+  Rgb factor;                 ///< f cos / p of the chosen lobe, every choice divided out; black: absorbed
   float pdf_solid_angle = 0;  ///< of the mixture; 0 after a delta lobe
   float radiance_scale = 1;   ///< the compression of radiance in `factor`, which roulette must not see
   bool transmitted = false;   ///< through the surface
@@ -50,86 +49,89 @@ Drawn draw(const Weights& weights, std::size_t count, float total, float u) {
   return drawn;
 }
 
-std::optional<Continuation> follow_delta(const Vertex& vertex, std::size_t lobe, float u) {
-  const DeltaBranches branches = delta_branches(vertex.lobes()[lobe], vertex.wo, vertex.hit.front);
+Continuation follow_delta(const Vertex& vertex, Drawn lobe) {
+  const DeltaBranches branches = delta_branches(vertex.lobes()[lobe.index], vertex.wo, vertex.hit.front);
   const float reflect = max_channel(branches.reflected.weight);
   // The choice goes by energy, not by radiance, which changes with the medium.
   const float transmit =
       branches.transmitted ? max_channel(branches.transmitted->weight) / branches.transmitted->radiance_scale : 0.0f;
-  if (!(reflect + transmit > 0)) return std::nullopt;
+  if (!(reflect + transmit > 0)) return {};
   const float p_reflect = reflect / (reflect + transmit);
-  const bool transmitted = u >= p_reflect;
+  const bool transmitted = lobe.u >= p_reflect;
   const DeltaBranch& branch = transmitted ? *branches.transmitted : branches.reflected;
-  const float probability = vertex.selection[lobe] * (transmitted ? 1.0f - p_reflect : p_reflect);
-  return Continuation{.ray = vertex.leave(branch.wi, transmitted),
-                      .event = branch.event,
-                      .factor = branch.weight / probability,
-                      .by_delta = true,
-                      .pdf_solid_angle = 0,
-                      .radiance_scale = branch.radiance_scale,
-                      .transmitted = transmitted};
+  const float probability = vertex.selection[lobe.index] * (transmitted ? 1.0f - p_reflect : p_reflect);
+  return {.ray = vertex.leave(branch.wi, transmitted),
+          .event = branch.event,
+          .factor = branch.weight / probability,
+          .radiance_scale = branch.radiance_scale,
+          .transmitted = transmitted};
 }
 
-std::optional<Continuation> follow_non_delta(const Vertex& vertex, std::size_t sampled, glm::vec3 u, float u_lobe) {
+Continuation follow_non_delta(const Vertex& vertex, Drawn sampled, Sampler& sampler) {
   const std::span<const Lobe> lobes = vertex.lobes();
-  const std::optional<glm::vec3> local = sample_direction(lobes[sampled], vertex.wo, u, vertex.hit.front);
-  if (!local) return std::nullopt;
+  const std::optional<glm::vec3> local =
+      sample_direction(lobes[sampled.index], vertex.wo, {sampler.next2(), sampled.u}, vertex.hit.front);
+  if (!local) return {};
   const std::optional<glm::vec3> wi = vertex.local(vertex.frame.to_world(*local));
-  if (!wi) return std::nullopt;
-  const float pdf = vertex.pdf_solid_angle(*wi);
-  if (!(pdf > 0)) return std::nullopt;
+  if (!wi) return {};
+  const Vertex::Values values = vertex.values(*wi);
+  if (!(values.pdf_solid_angle > 0)) return {};
 
-  std::array<Rgb, kMaxLobes> value{};
   std::array<float, kMaxLobes> weight{};
   float total = 0;
-  for (std::size_t i = 0; i < lobes.size(); ++i) {
-    value[i] = evaluate(lobes[i], vertex.wo, *wi, vertex.hit.front);
-    weight[i] = max_channel(value[i]);
-    total += weight[i];
-  }
-  if (!(total > 0)) return std::nullopt;
-  const std::size_t lobe = draw(weight, lobes.size(), total, u_lobe).index;
+  for (std::size_t i = 0; i < lobes.size(); ++i) total += weight[i] = max_channel(values.f[i]);
+  if (!(total > 0)) return {};
+  const std::size_t lobe = lobes.size() > 1 ? draw(weight, lobes.size(), total, sampler.next()).index : 0;
   const bool transmitted = wi->z < 0;
-  return Continuation{.ray = vertex.leave(*wi, transmitted),
-                      .event = letter(lobes[lobe], transmitted),
-                      .factor = value[lobe] * (std::abs(wi->z) * total / (pdf * weight[lobe])),
-                      .by_delta = false,
-                      .pdf_solid_angle = pdf,
-                      .radiance_scale = transmitted ? radiance_compression(lobes[lobe], vertex.hit.front) : 1.0f,
-                      .transmitted = transmitted};
+  return {.ray = vertex.leave(*wi, transmitted),
+          .event = letter(lobes[lobe], transmitted),
+          .factor = values.f[lobe] * (std::abs(wi->z) * total / (values.pdf_solid_angle * weight[lobe])),
+          .pdf_solid_angle = values.pdf_solid_angle,
+          .radiance_scale = transmitted ? radiance_compression(lobes[lobe], vertex.hit.front) : 1.0f,
+          .transmitted = transmitted};
 }
 
-std::optional<Continuation> follow(const Vertex& vertex, Sampler& sampler) {
-  const float u_choice = sampler.next();
-  const float u_lobe = sampler.next();
-  const glm::vec2 u = sampler.next2();
-  if (!(vertex.total_weight > 0)) return std::nullopt;
+/// Draws no number where there is nothing to choose.
+Continuation follow(const Vertex& vertex, Sampler& sampler) {
+  if (!(vertex.total_weight > 0)) return {};
+  const float u_choice = vertex.has_choice ? sampler.next() : 0.0f;
   const Drawn lobe = draw(vertex.selection, vertex.lobes().size(), 1.0f, u_choice);
-  return is_delta(vertex.lobes()[lobe.index]) ? follow_delta(vertex, lobe.index, u_lobe)
-                                              : follow_non_delta(vertex, lobe.index, {u.x, u.y, lobe.u}, u_lobe);
+  if (is_delta(vertex.lobes()[lobe.index])) return follow_delta(vertex, lobe);
+  return follow_non_delta(vertex, lobe, sampler);
 }
 
 /// Next-event estimation at a particle where the ray ends.
-void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, taxonomy::WordTrie::Node node,
-                              Rgb throughput) {
-  const std::optional<LightSample> light = world.lights.sample(ray.origin, walk.sampler);
-  if (!light) return;
-  const float anisotropy = walk.bodies.medium(world.scene)->anisotropy;
-  const float value = phase(anisotropy, glm::dot(ray.direction, light->direction));
-  const Rgb incident = arriving(world, walk, walk.bodies, ray.origin, *light);
+void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, float anisotropy,
+                              taxonomy::WordTrie::Node node, Rgb throughput) {
+  const LightSample light = world.lights.sample(ray.origin, walk.sampler);
+  if (!(light.pdf_solid_angle > 0)) return;
+  const float value = phase(anisotropy, glm::dot(ray.direction, light.direction));
+  const Rgb incident = arriving(world, walk, walk.bodies, ray.origin, light);
   if (is_black(incident)) return;
-  const float weight = (light->is_delta ? 1.0f : power_heuristic(light->pdf_solid_angle, value)) * value;
-  walk.found.push_back({walk.step(walk.step(node, Symbol::V), light->kind),
-                        throughput * incident * (weight / light->pdf_solid_angle), record::Technique::NextEvent});
+  const float weight = (light.is_delta ? 1.0f : power_heuristic(light.pdf_solid_angle, value)) * value;
+  walk.found.push_back({walk.step(walk.step(node, Symbol::V), light.kind),
+                        throughput * incident * (weight / light.pdf_solid_angle), record::Technique::NextEvent});
 }
 
-Continuation scatter(const World& world, Walk& walk, const Ray& ray) {
+/// What happens at a particle where the ray ends: light is gathered, and the path goes on.
+Continuation scatter_at_particle(const World& world, Walk& walk, const Ray& ray, taxonomy::WordTrie::Node node,
+                                 Rgb throughput) {
   const float anisotropy = walk.bodies.medium(world.scene)->anisotropy;
+  if (world.next_event_estimation) gather_light_at_particle(world, walk, ray, anisotropy, node, throughput);
   const glm::vec3 direction = sample_phase(anisotropy, ray.direction, walk.sampler.next2());
   return {.ray = {ray.origin, direction},
           .event = Symbol::V,
           .factor = Rgb(1.0f),
           .pdf_solid_angle = phase(anisotropy, glm::dot(ray.direction, direction))};
+}
+
+/// The same at a surface.
+Continuation scatter_at_surface(const World& world, Walk& walk, const Hit& hit, glm::vec3 direction,
+                                taxonomy::WordTrie::Node node, Rgb throughput) {
+  const Vertex vertex = vertex_at(world, walk, hit, direction);
+  if (vertex.has_non_delta && world.next_event_estimation)
+    gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
+  return follow(vertex, walk.sampler);
 }
 
 }  // namespace
@@ -168,30 +170,21 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
       past_the_limit.emplace(walk);
     }
 
-    std::optional<Continuation> next;
-    if (scattered) {
-      if (world.next_event_estimation) gather_light_at_particle(world, walk, ray, node, throughput);
-      next = scatter(world, walk, ray);
-    } else {
-      const Vertex vertex = vertex_at(world, walk, *hit, ray.direction);
-      if (vertex.has_non_delta && world.next_event_estimation)
-        gather_direct_light(world, walk, vertex, node, throughput, {.multiple_importance = true});
-      next = follow(vertex, walk.sampler);
-    }
-    if (!next) return end(PathEnd::Absorbed);
-    throughput *= next->factor;
-    radiance_scale *= next->radiance_scale;
+    const Continuation next = scattered ? scatter_at_particle(world, walk, ray, node, throughput)
+                                        : scatter_at_surface(world, walk, *hit, ray.direction, node, throughput);
+    throughput *= next.factor;
+    radiance_scale *= next.radiance_scale;
     if (is_black(throughput)) return end(PathEnd::Absorbed);
     if (depth + 1 >= kRouletteStart) {
       const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
       if (walk.sampler.next() >= survival) return end(PathEnd::Roulette);
       throughput *= 1.0f / survival;
     }
-    node = walk.step(node, next->event);
-    pdf_arrival = world.next_event_estimation ? next->pdf_solid_angle : 0.0f;
+    node = walk.step(node, next.event);
+    pdf_arrival = world.next_event_estimation ? next.pdf_solid_angle : 0.0f;
     previous = scattered ? ray.origin : hit->position;
-    if (next->transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);
-    ray = next->ray;
+    if (next.transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);
+    ray = next.ray;
   }
 }
 

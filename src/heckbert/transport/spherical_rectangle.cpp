@@ -8,47 +8,65 @@
 
 namespace heckbert::transport {
 
-SphericalRectangle::SphericalRectangle(glm::vec3 corner, glm::vec3 edge_u, glm::vec3 edge_v, glm::vec3 from)
-    : from_(from) {
-  const glm::dvec3 u(edge_u), v(edge_v), d = glm::dvec3(corner) - from_;
-  const double length_u = glm::length(u), length_v = glm::length(v);
-  x_ = u / length_u;
-  y_ = v / length_v;
-  z_ = glm::cross(x_, y_);
-  x0_ = glm::dot(d, x_);
-  y0_ = glm::dot(d, y_);
-  z0_ = glm::dot(d, z_);
-  if (z0_ > 0) {
-    z_ = -z_;
-    z0_ = -z0_;
-  }
-  x1_ = x0_ + length_u;
-  y1_ = y0_ + length_v;
-  // The solid angle of the rectangle from the foot of the perpendicular to (x, y), signed.
+namespace {
+
+// Complex numbers stand for their angles.
+
+glm::dvec2 sum_of_angles(glm::dvec2 a, glm::dvec2 b) {
+  return {a.x * b.x - a.y * b.y, a.y * b.x + a.x * b.y};
+}
+
+glm::dvec2 difference_of_angles(glm::dvec2 a, glm::dvec2 b) {
+  return {a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y};
+}
+
+}  // namespace
+
+Rectangle::Rectangle(glm::vec3 at, glm::vec3 edge_u, glm::vec3 edge_v)
+    : corner(at), length_u(glm::length(glm::dvec3(edge_u))), length_v(glm::length(glm::dvec3(edge_v))) {
+  u = glm::dvec3(edge_u) / length_u;
+  v = glm::dvec3(edge_v) / length_v;
+  normal = glm::cross(u, v);
+}
+
+SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, glm::vec3 from) : rectangle_(rectangle) {
+  const glm::dvec3 d = rectangle.corner - glm::dvec3(from);
+  x0_ = glm::dot(d, rectangle.u);
+  x1_ = x0_ + rectangle.length_u;
+  y0_ = glm::dot(d, rectangle.v);
+  y1_ = y0_ + rectangle.length_v;
+  z_ = std::abs(glm::dot(d, rectangle.normal));
+  if (!(z_ > 0)) return;
+  // The solid angle from the foot of the perpendicular to (x, y), signed; of the columns up to x0 and up to x1; and of
+  // what lies between.
   const auto quadrant = [this](double x, double y) {
-    return std::atan2(x * y, -z0_ * std::sqrt(x * x + y * y + z0_ * z0_));
+    return glm::dvec2(z_ * std::sqrt(x * x + y * y + z_ * z_), x * y);
   };
-  solid_angle_ = z0_ < 0 ? quadrant(x1_, y1_) - quadrant(x0_, y1_) - quadrant(x1_, y0_) + quadrant(x0_, y0_) : 0.0;
+  left_ = difference_of_angles(quadrant(x0_, y1_), quadrant(x0_, y0_));
+  const glm::dvec2 right = difference_of_angles(quadrant(x1_, y1_), quadrant(x1_, y0_));
+  const glm::dvec2 between = difference_of_angles(right, left_);
+  solid_angle_ = std::atan2(between.y, between.x);
+  // More than half a turn is seen from above the rectangle alone; elsewhere, less than nothing is rounding.
+  const bool is_above = x0_ < 0 && x1_ > 0 && y0_ < 0 && y1_ > 0;
+  if (solid_angle_ < 0) solid_angle_ = is_above ? solid_angle_ + 2 * std::numbers::pi : 0.0;
 }
 
 glm::vec3 SphericalRectangle::sample(glm::vec2 u) const {
-  // z components of the unit normals of the planes through the eye and the edges y = y0, y = y1 and x = x0.
-  const double b0 = -y0_ / std::hypot(y0_, z0_), b1 = y1_ / std::hypot(y1_, z0_);
-  const double b3 = -x0_ / std::hypot(x0_, z0_);
-  // The inner angles at the two corners of x = x0; then, column by column, the x that leaves the fraction u.x of the
-  // solid angle on its left.
-  const double angle_1 = std::acos(std::clamp(-b1 * b3, -1.0, 1.0)),
-               angle_0 = std::acos(std::clamp(-b3 * b0, -1.0, 1.0));
-  const double phi = static_cast<double>(u.x) * solid_angle_ + 2 * std::numbers::pi - angle_1 - angle_0;
-  const double f = (std::cos(phi) * b0 - b1) / std::sin(phi);
-  const double cosine = std::clamp(std::copysign(1 / std::hypot(f, b0), f), -1.0, 1.0);
-  const double x = std::clamp(-cosine * z0_ / std::sqrt(std::max(1 - cosine * cosine, 1e-30)), x0_, x1_);
+  // Sines and cosines of the elevations of the edges y0 and y1 above the foot.
+  const double z2 = z_ * z_, edge0 = std::sqrt(y0_ * y0_ + z2), edge1 = std::sqrt(y1_ * y1_ + z2);
+  const double inverse = 1 / (edge0 * edge1), sines = y0_ * y1_ * inverse, cosines = z2 * inverse;
+  // The column up to x has the solid angle asin(m sin1) - asin(m sin0), where m = x / sqrt(x^2 + z^2). It shall have
+  // the fraction u.x more than the column up to x0; the law of cosines gives m, and m gives x.
+  const double more = static_cast<double>(u.x) * solid_angle_;
+  const glm::dvec2 column = sum_of_angles(left_ * (inverse / (x0_ * x0_ + z2)), {std::cos(more), std::sin(more)});
+  const double off = column.x - sines;
+  const double x = std::clamp(z_ * column.y / std::sqrt(std::max(off * off - cosines * cosines, 1e-300)), x0_, x1_);
   // Within the column, the sine of the elevation is uniform.
-  const double d = std::hypot(x, z0_);
-  const double h0 = y0_ / std::hypot(d, y0_), h1 = y1_ / std::hypot(d, y1_);
+  const double d2 = x * x + z2;
+  const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_), h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
   const double h = h0 + static_cast<double>(u.y) * (h1 - h0);
-  const double y = std::clamp(h * d / std::sqrt(std::max(1 - h * h, 1e-30)), y0_, y1_);
-  return glm::vec3(from_ + x * x_ + y * y_ + z0_ * z_);
+  const double y = std::clamp(h * std::sqrt(d2 / std::max(1 - h * h, 1e-300)), y0_, y1_);
+  return glm::vec3(rectangle_.corner + (x - x0_) * rectangle_.u + (y - y0_) * rectangle_.v);
 }
 
 }  // namespace heckbert::transport

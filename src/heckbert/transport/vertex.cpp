@@ -33,24 +33,25 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
 template <class PerLobe>
 void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule,
                            PerLobe per_lobe) {
-  const std::optional<LightSample> light = world.lights.sample(vertex.hit.position, walk.sampler);
-  if (!light) return;
-  const std::optional<glm::vec3> wi = vertex.local(light->direction);
+  const LightSample light = world.lights.sample(vertex.hit.position, walk.sampler);
+  if (!(light.pdf_solid_angle > 0)) return;
+  const std::optional<glm::vec3> wi = vertex.local(light.direction);
   if (!wi) return;
   const bool transmitted = wi->z < 0;
   if (transmitted && !vertex.transmits) return;
   const glm::vec3 origin = leave(vertex.hit, vertex.hit.front != transmitted);
-  const Rgb arriving = arriving_light(world, walk, vertex, transmitted, origin, *light);
+  const Rgb arriving = arriving_light(world, walk, vertex, transmitted, origin, light);
   if (is_black(arriving)) return;
-  float weight = std::abs(wi->z) / light->pdf_solid_angle;
-  if (rule.multiple_importance && !light->is_delta)
-    weight *= power_heuristic(light->pdf_solid_angle, vertex.pdf_solid_angle(*wi));
+  const Vertex::Values values = vertex.values(*wi);
+  float weight = std::abs(wi->z) / light.pdf_solid_angle;
+  if (rule.multiple_importance && !light.is_delta)
+    weight *= power_heuristic(light.pdf_solid_angle, values.pdf_solid_angle);
   const Rgb incident = arriving * weight;
-  for (const Lobe& lobe : vertex.lobes()) {
-    const taxonomy::Symbol event = letter(lobe, transmitted);
-    if (!rule.glossy && taxonomy::facts(event).letter != 'D') continue;
-    const Rgb f = evaluate(lobe, vertex.wo, *wi, vertex.hit.front);
-    if (!is_black(f)) per_lobe(event, light->kind, f * incident);
+  const std::span<const Lobe> lobes = vertex.lobes();
+  for (std::size_t i = 0; i < lobes.size(); ++i) {
+    if (is_black(values.f[i])) continue;
+    const taxonomy::Symbol event = letter(lobes[i], transmitted);
+    if (rule.glossy || taxonomy::facts(event).letter == 'D') per_lobe(event, light.kind, values.f[i] * incident);
   }
 }
 
@@ -67,7 +68,7 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
     return wo.z > 0 && side * glm::dot(frame.to_world(mirrored(wo)), hit.normal_geometric) > 0;
   };
   bool shaded = false;
-  if (material->normal_map && hit.has_coordinates) {
+  if (hit.has_coordinates && material->normal_map) {
     const Frame unmapped = Frame::along(hit.normal_shading, hit.along_u);
     const float handedness = glm::dot(unmapped.t, hit.along_v) < 0 ? -1.0f : 1.0f;
     const glm::vec3 n = mapped_normal(scene, *material->normal_map, hit.uv);
@@ -76,7 +77,7 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
   }
   if (!shaded) {
     shade_with(hit.normal_shading);
-    if (!is_valid()) shade_with(hit.normal_geometric);
+    if (hit.normal_shading != hit.normal_geometric && !is_valid()) shade_with(hit.normal_geometric);
   }
   // On the silhouette of a sphere the cosine may round to the wrong sign; the side is known, so it is only small.
   constexpr float kSmallestCosine = 1e-6f;
@@ -86,7 +87,7 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
   }
 
   lobe_count_ = hit.front || material->lobe_sides == Sides::Both ? material->lobes.size() : 0;
-  const bool is_textured = !material->textures.empty() && hit.has_coordinates;
+  const bool is_textured = hit.has_coordinates && !material->textures.empty();
   if (is_textured || index_in_front != 1)
     std::copy(material->lobes.begin(), material->lobes.end(), lobes_here_.emplace().begin());
   if (index_in_front != 1) {
@@ -99,33 +100,27 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
     for (const LobeTexture& use : material->textures) apply_texture(scene, use, hit.uv, (*lobes_here_)[use.lobe]);
   }
   const std::span<const Lobe> here = lobes();
+  has_choice = here.size() > 1;
   for (std::size_t i = 0; i < here.size(); ++i) {
     selection[i] = selection_weight(here[i], wo);
     total_weight += selection[i];
     has_non_delta |= !is_delta(here[i]);
     transmits |= transport::transmits(here[i]);
+    has_choice |= is_branching(here[i]);
   }
   if (total_weight > 0)
-    for (float& s : selection) s /= total_weight;
+    for (std::size_t i = 0; i < here.size(); ++i) selection[i] /= total_weight;
 }
 
-float Vertex::pdf_solid_angle(glm::vec3 wi) const {
-  float pdf = 0;
+Vertex::Values Vertex::values(glm::vec3 wi) const {
+  Values values;
   const std::span<const Lobe> here = lobes();
-  for (std::size_t i = 0; i < here.size(); ++i)
-    pdf += selection[i] * transport::pdf_solid_angle(here[i], wo, wi, hit.front);
-  return pdf;
-}
-
-std::optional<glm::vec3> Vertex::local(glm::vec3 world) const {
-  const bool same_side = (glm::dot(world, hit.normal_geometric) > 0) == hit.front;
-  const glm::vec3 wi = frame.to_local(world);
-  if (wi.z == 0 || (wi.z > 0) != same_side) return std::nullopt;
-  return wi;
-}
-
-Ray Vertex::leave(glm::vec3 wi, bool transmitted) const {
-  return {transport::leave(hit, hit.front != transmitted), frame.to_world(wi)};
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const LobeValue value = value_and_pdf(here[i], wo, wi, hit.front);
+    values.f[i] = value.f;
+    values.pdf_solid_angle += selection[i] * value.pdf_solid_angle;
+  }
+  return values;
 }
 
 void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,

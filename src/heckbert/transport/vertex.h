@@ -52,17 +52,19 @@ struct Walk {
 /// direction counts only when both normals call it a reflection, or both a transmission. No cosine is corrected (Veach
 /// 1997, 5.3).
 struct Vertex {
-  Hit hit;
+  const Hit& hit;
   Frame frame;   ///< normal on the side the ray came from; s along u where the material asks for it
   glm::vec3 wo;  ///< local
   const Material* material;
 
   bool has_non_delta = false;
   bool transmits = false;                    ///< some lobe without a Dirac does
+  bool has_choice = false;                   ///< following it chooses among lobes, or among the events of one
   float total_weight = 0;                    ///< sum of the selection weights; 0: the surface is black
   std::array<float, kMaxLobes> selection{};  ///< probability of following each lobe
 
-  /// `index_in_front` is the index of refraction of what lies before the surface, which its interfaces are relative to.
+  /// Keeps a reference to the hit. `index_in_front` is the index of refraction of what lies before the surface, which
+  /// its interfaces are relative to.
   Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front = 1);
 
   /// The material's lobes as they are here, after textures and with their indices relative; none on the back of a
@@ -71,14 +73,25 @@ struct Vertex {
     if (lobes_here_) return std::span(*lobes_here_).first(lobe_count_);
     return std::span(material->lobes).first(lobe_count_);
   }
-  /// Density of following any non-delta lobe into wi, selection included: the density that multiple importance weights
-  /// see.
-  float pdf_solid_angle(glm::vec3 wi) const;
+  /// What becomes of radiance from wi at the lobes without a Dirac.
+  struct Values {
+    std::array<Rgb, kMaxLobes> f{};  ///< of each lobe, as LobeValue's
+    /// Of following any of them into wi, selection included: the density that multiple importance weights see.
+    float pdf_solid_angle = 0;
+  };
+  Values values(glm::vec3 wi) const;
   /// A world direction as this vertex may use it: local, or nothing when the shading and the geometric normal disagree
   /// about its side.
-  std::optional<glm::vec3> local(glm::vec3 world) const;
+  std::optional<glm::vec3> local(glm::vec3 world) const {
+    const bool same_side = (glm::dot(world, hit.normal_geometric) > 0) == hit.front;
+    const glm::vec3 wi = frame.to_local(world);
+    if (wi.z == 0 || (wi.z > 0) != same_side) return std::nullopt;
+    return wi;
+  }
   /// The ray that goes on; `transmitted` says on which side.
-  Ray leave(glm::vec3 wi, bool transmitted) const;
+  Ray leave(glm::vec3 wi, bool transmitted) const {
+    return {transport::leave(hit, hit.front != transmitted), frame.to_world(wi)};
+  }
 
  private:
   std::size_t lobe_count_ = 0;
