@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -21,12 +23,14 @@ namespace fs = std::filesystem;
 
 /// Replaces this process by the program. Does not return.
 [[noreturn]] void become(const std::vector<std::string>& arguments,
-                         const std::map<std::string, std::string>& environment) {
+                         const std::map<std::string, std::string>& environment,
+                         const std::vector<std::string>& launcher = {}) {
   std::vector<std::string> variables{"PATH=/usr/bin:/bin", "HOME=/nonexistent", "TERM=xterm"};
   for (const auto& [name, value] : environment) variables.push_back(name + "=" + value);
   for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"})
     if (const char* value = std::getenv(name)) variables.push_back(std::string(name) + "=" + value);
-  std::vector<std::string> words{HECKBERT_EXECUTABLE};
+  std::vector<std::string> words = launcher;
+  words.emplace_back(HECKBERT_EXECUTABLE);
   words.insert(words.end(), arguments.begin(), arguments.end());
 
   const auto pointers = [](std::vector<std::string>& texts) {
@@ -35,7 +39,7 @@ namespace fs = std::filesystem;
     list.push_back(nullptr);
     return list;
   };
-  execve(HECKBERT_EXECUTABLE, pointers(words).data(), pointers(variables).data());
+  execve(words.front().c_str(), pointers(words).data(), pointers(variables).data());
   _exit(127);
 }
 
@@ -63,7 +67,14 @@ void start(Child& child, const std::vector<std::string>& arguments, const RunOpt
     redirect(child.streams / "out", O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
   redirect(child.streams / "err", O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
   if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(126);
-  become(arguments, options.environment);
+  if (options.largest_file > 0) {
+    // Ignored, so that writing fails with an error as on a full disk.
+    const rlimit limit{options.largest_file, options.largest_file};
+    if (std::signal(SIGXFSZ, SIG_IGN) == SIG_ERR || setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
+  }
+  constexpr uid_t kNobody = 65534;
+  if (options.as_nobody && getuid() == 0 && (setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(126);
+  become(arguments, options.environment, options.launcher);
 }
 
 Outcome finish(const Child& child) {
@@ -85,7 +96,8 @@ Outcome run(const std::vector<std::string>& arguments, const RunOptions& options
   return finish(child);
 }
 
-Outcome run_and_signal(const std::vector<std::string>& arguments, int signal, const std::string& wait_for) {
+Outcome run_and_signal(const std::vector<std::string>& arguments, int signal, const std::string& wait_for,
+                       std::chrono::milliseconds later) {
   Child child;
   start(child, arguments, {});
   // The line is printed just before tracing begins.
@@ -93,6 +105,7 @@ Outcome run_and_signal(const std::vector<std::string>& arguments, int signal, co
     if (read_bytes(child.streams / "err").find(wait_for) != std::string::npos) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+  std::this_thread::sleep_for(later);
   kill(child.pid, signal);
   return finish(child);
 }

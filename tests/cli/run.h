@@ -1,6 +1,8 @@
 #pragma once
 // Runs the real program as a child process, the way a shell would.
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -19,6 +21,9 @@ struct RunOptions {
   std::map<std::string, std::string> environment{};  ///< added to a clean one
   std::filesystem::path folder{};                    ///< working directory; empty: ours
   bool full_output = false;                          ///< standard output is a device that is always full
+  std::uint64_t largest_file = 0;                    ///< bytes that a file may have; 0: no limit
+  bool as_nobody = false;                            ///< as a user without rights, when the tests run as root
+  std::vector<std::string> launcher{};               ///< a program, and its arguments before ours; empty: none
 };
 
 /// Waits for the end. No HECKBERT_ variable of the caller reaches the program.
@@ -27,8 +32,10 @@ Outcome run(const std::vector<std::string>& arguments, const RunOptions& options
 /// Starts the program with its output on a terminal of its own; gives back all that appeared there.
 std::string run_on_terminal(const std::vector<std::string>& arguments);
 
-/// Starts the program, sends `signal` as soon as `wait_for` has appeared on its standard error, and waits for the end.
-Outcome run_and_signal(const std::vector<std::string>& arguments, int signal, const std::string& wait_for);
+/// Starts the program, sends `signal` some time after `wait_for` has appeared on its standard error, and waits for the
+/// end.
+Outcome run_and_signal(const std::vector<std::string>& arguments, int signal, const std::string& wait_for,
+                       std::chrono::milliseconds later = {});
 
 /// A folder that is there for one test.
 class TemporaryFolder {
@@ -73,6 +80,8 @@ inline const std::vector<std::vector<std::string>> kCommands{{"render"},
                                                              {"grammar", "phases"},
                                                              {"grammar", "errors"},
                                                              {"scene", "list"},
-                                                             {"scene", "check"}};
+                                                             {"scene", "check"},
+                                                             {"merge"},
+                                                             {"record", "import"}};
 
 }  // namespace heckbert::cli::testing

@@ -16,10 +16,11 @@ set(guarded
   "embree3/=transport/embree_tracer.cpp"
   "glm/=(transport|import)/.*"
   "(oneapi/)?tbb/=transport/[^/]*.cpp"
-  "OpenEXR/=(record/([^/]*[.]cpp|exr[.]h)|import/radiance_image[.]cpp)"
+  "OpenEXR/=(record/([^/]*[.]cpp|(exr|sums_parts)[.]h)|import/radiance_image[.]cpp)"
   "nlohmann/=((report|import|cli)/.*[.]cpp|report/json_parts[.]h)"
   "CLI/=cli/.*"
   "tiny_obj_loader=import/[^/]*.cpp"
+  "mpi[.]h=cli/ranks_mpi[.]cpp"
   "png[.]h=report/[^/]*.cpp"
   "boost/=record/[^/]*.cpp"
   "fmt/=(record|report|transport|import|cli)/.*")

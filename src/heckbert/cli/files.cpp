@@ -49,6 +49,16 @@ std::string read_stream(std::istream& stream) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+/// Calls `read` with the path to read from; for "-", that of a copy.
+template <class T>
+T read_from(const std::string& name, T (*read)(const fs::path&)) {
+  if (name != "-") return read(name);
+  const TemporaryFolder folder;
+  const fs::path copy = folder.path() / "standard input";
+  std::ofstream(copy, std::ios::binary) << std::cin.rdbuf();
+  return read(copy);
+}
+
 }  // namespace
 
 std::string read_text(const std::string& name) {
@@ -62,11 +72,25 @@ std::string read_text(const std::string& name) {
 }
 
 record::Record read_record(const std::string& name) {
-  if (name != "-") return record::read_record(name);
+  return read_from(name, record::read_record);
+}
+
+record::Sums read_sums(const std::string& name) {
+  return read_from(name, record::read_sums);
+}
+
+std::string bytes_of(const record::Sums& sums) {
   const TemporaryFolder folder;
-  const fs::path copy = folder.path() / "standard input";
-  std::ofstream(copy, std::ios::binary) << std::cin.rdbuf();
-  return record::read_record(copy);
+  const fs::path copy = folder.path() / "record";
+  record::write_sums(sums, copy);
+  return read_text(copy.string());
+}
+
+record::Sums sums_from(const std::string& bytes) {
+  const TemporaryFolder folder;
+  const fs::path copy = folder.path() / "record";
+  record::write_file(bytes, copy);
+  return record::read_sums(copy);
 }
 
 void check_writable(const std::string& name) {

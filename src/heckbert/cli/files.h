@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include <heckbert/record/record.h>
+#include <heckbert/record/sums.h>
 
 namespace heckbert::cli {
 
@@ -15,6 +15,14 @@ std::string read_text(const std::string& name);
 
 /// A record from a file or from standard input. Errors: ReadError.
 record::Record read_record(const std::string& name);
+
+/// A record that keeps its sums, likewise. Errors: ReadError.
+record::Sums read_sums(const std::string& name);
+
+/// A record that keeps its sums as the bytes of its file, and back, on the way to another process.
+/// Errors: WriteError, ReadError: the bytes pass through a temporary file, because OpenEXR needs one.
+std::string bytes_of(const record::Sums& sums);
+record::Sums sums_from(const std::string& bytes);
 
 /// Throws WriteError unless a file of this name can be made: asked before long work, so that it is not done in vain.
 void check_writable(const std::string& name);

@@ -52,6 +52,13 @@ record::Window parse_crop(const std::string& text) {
   return window;
 }
 
+record::Part parse_part(const std::string& text) {
+  const std::vector<std::string> parts = split(text, '/');
+  if (parts.size() != 2) throw BadValue(fmt::format("'{}' is no part; expected I/N, such as 3/8", text));
+  const int of = whole(parts[1], 1, kMaxSamples);
+  return {whole(parts[0], 1, of), of};
+}
+
 bool parse_switch(const std::string& text) {
   for (const std::string_view yes : {"1", "true", "yes", "on"})
     if (text == yes) return true;
@@ -84,6 +91,10 @@ const std::vector<Setting>& all_settings() {
          [](Settings& s, const std::string& t) {
            s.seed = whole_number(t, 0, std::numeric_limits<std::uint64_t>::max());
          }},
+        {"part", "I/N", Scope::Tracing, "", "trace the I-th of N parts of the samples; see 'heckbert merge'",
+         [](Settings& s, const std::string& t) { s.part = parse_part(t); }},
+        {"checkpoint", "SECONDS", Scope::Tracing, "", "write what is there to the --record file every so often",
+         [](Settings& s, const std::string& t) { s.checkpoint = number_between(t, 0, 1e7); }},
         {"threads", "N", Scope::Tracing, "", "threads to trace with; 0 for all cores (default); changes no pixel",
          [](Settings& s, const std::string& t) { s.threads = whole(t, 0, kMaxThreads); }},
         {"size", "WxH", Scope::Tracing, "",

@@ -32,6 +32,8 @@ struct Size {
 struct Settings {
   std::optional<int> samples_per_pixel;
   std::optional<double> seconds;
+  record::Part part;
+  std::optional<double> checkpoint;  ///< seconds
   std::optional<std::uint64_t> seed;
   std::optional<int> threads;
   std::optional<Size> size;

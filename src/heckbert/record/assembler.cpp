@@ -92,7 +92,7 @@ void lay_out(Record& record, std::vector<Tile>& tiles, const std::vector<std::ui
 
 /// The estimates of the picture mean that the batches give.
 std::vector<Rgb> means_of(const std::vector<BatchSum>& sums, const RenderInfo& info) {
-  const auto sizes = batch_sizes(info.samples_per_pixel);
+  const auto sizes = batch_sizes(info);
   std::vector<Rgb> means(kBatches);
   for (const BatchSum& sum : sums)
     means[sum.batch] = mean_of(sum.sum, sizes[sum.batch] * static_cast<double>(info.window.pixel_count()));

@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cstddef>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -21,9 +22,12 @@ namespace heckbert::record::exr {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, std::string RenderInfo::*>, 3> kTexts{{
+constexpr std::array<std::pair<const char*, std::string RenderInfo::*>, 6> kTexts{{
     {"heckbert.scene", &RenderInfo::scene},
+    {"heckbert.scene_hash", &RenderInfo::scene_hash},
     {"heckbert.algorithm", &RenderInfo::algorithm},
+    {"heckbert.sampler", &RenderInfo::sampler},
+    {"heckbert.filter", &RenderInfo::filter},
     {"heckbert.version", &RenderInfo::version},
 }};
 constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{
@@ -32,6 +36,8 @@ constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{
 }};
 constexpr const char* kSeed = "heckbert.seed";  // as text: OpenEXR has no 64-bit attribute
 constexpr const char* kPartial = "heckbert.partial";
+constexpr const char* kHasBatches = "heckbert.has_batches";
+constexpr const char* kParts = "heckbert.parts";      // "seed of first last"; absent when all of one render
 constexpr const char* kIgnored = "heckbert.ignored";  // absent when there is nothing
 
 struct ColourChannel {
@@ -68,6 +74,30 @@ void check_attribute_sizes(std::istream& in, std::uint64_t file_bytes) {
   }
 }
 
+Imf::StringVector texts_of(const std::vector<SampleRange>& parts) {
+  Imf::StringVector texts;
+  for (const SampleRange& part : parts)
+    texts.push_back(fmt::format("{} {} {} {}", part.seed, part.of, part.first, part.last));
+  return texts;
+}
+
+/// Throws std::runtime_error unless the texts are those of a list of ranges that fits what `info` already says.
+void read_parts(const Imf::StringVector& texts, RenderInfo& info) {
+  std::vector<SampleRange> parts;
+  for (const std::string& text : texts) {
+    SampleRange& part = parts.emplace_back();
+    std::istringstream(text) >> part.seed >> part.of >> part.first >> part.last;
+    const bool is_range = 0 <= part.first && part.first < part.last && part.last <= part.of;
+    const bool is_sorted = parts.size() < 2 || parts[parts.size() - 2] < part;
+    if (!is_range || !is_sorted) parts.clear();
+    if (parts.empty()) break;
+  }
+  const int samples = info.samples_per_pixel;
+  if (!parts.empty()) set_samples(info, parts);
+  if (texts_of(info.parts) != texts || info.samples_per_pixel != samples)
+    throw std::runtime_error(fmt::format("the header attribute '{}' does not fit the samples", kParts));
+}
+
 }  // namespace
 
 int threads() {
@@ -92,6 +122,8 @@ Imf::Header header_for(const RenderInfo& info) {
   for (const auto& [name, field] : kNumbers) header.insert(name, Imf::IntAttribute(info.*field));
   header.insert(kSeed, Imf::StringAttribute(std::to_string(info.seed)));
   header.insert(kPartial, Imf::IntAttribute(info.partial ? 1 : 0));
+  header.insert(kHasBatches, Imf::IntAttribute(info.has_batches ? 1 : 0));
+  if (!info.parts.empty()) header.insert(kParts, Imf::StringVectorAttribute(texts_of(info.parts)));
   if (!info.ignored.empty()) header.insert(kIgnored, Imf::StringVectorAttribute(info.ignored));
   return header;
 }
@@ -106,6 +138,8 @@ RenderInfo info_of(const Imf::Header& header) {
   for (const auto& [name, field] : kNumbers) info.*field = attribute<Imf::IntAttribute>(header, name);
   info.seed = parse_number(attribute<Imf::StringAttribute>(header, kSeed), kSeed);
   info.partial = attribute<Imf::IntAttribute>(header, kPartial) != 0;
+  info.has_batches = attribute<Imf::IntAttribute>(header, kHasBatches) != 0;
+  if (header.find(kParts) != header.end()) read_parts(attribute<Imf::StringVectorAttribute>(header, kParts), info);
   if (header.find(kIgnored) != header.end()) info.ignored = attribute<Imf::StringVectorAttribute>(header, kIgnored);
   return info;
 }
@@ -139,6 +173,37 @@ void insert_rgb(Imf::FrameBuffer& frame, const std::string& prefix, const Rgb* p
 
 void insert_rgb(Imf::ChannelList& channels, const std::string& prefix) {
   for (const ColourChannel& channel : kColourChannels) channels.insert(prefix + channel.name, Imf::Channel(Imf::FLOAT));
+}
+
+OutputStream::OutputStream(const std::filesystem::path& path) : Imf::OStream(path.c_str()) {
+  errno = 0;
+  file_.open(path, std::ios::binary | std::ios::trunc);
+  check();
+}
+
+void OutputStream::write(const char bytes[], int count) {
+  file_.write(bytes, count);
+  check();
+}
+
+std::uint64_t OutputStream::tellp() {
+  return static_cast<std::uint64_t>(file_.tellp());
+}
+
+void OutputStream::seekp(std::uint64_t place) {
+  file_.seekp(static_cast<std::streamoff>(place));
+  check();
+}
+
+void OutputStream::close() {
+  file_.close();
+  check();
+}
+
+void OutputStream::check() {
+  if (file_) return;
+  if (error_ == 0) error_ = errno;
+  throw std::runtime_error(std::generic_category().message(error_));
 }
 
 bool can_unpack_to(std::uint64_t unpacked_bytes, std::uint64_t file_bytes) {

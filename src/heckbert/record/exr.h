@@ -4,11 +4,13 @@
 
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -44,6 +46,24 @@ Quanta parse_quanta(const std::string& digits, const std::string& name);
 /// Adds slices for R, G and B of pixels over `window`, under the channel prefix ("" or "name.").
 void insert_rgb(Imf::FrameBuffer& frame, const std::string& prefix, const Rgb* pixels, const Window& window);
 void insert_rgb(Imf::ChannelList& channels, const std::string& prefix);
+
+/// A file that OpenEXR writes. Its own streams tell nobody when the last bytes find no place on the disk.
+class OutputStream final : public Imf::OStream {
+ public:
+  /// Errors: std::runtime_error with the system's reason, as from all of its functions.
+  explicit OutputStream(const std::filesystem::path& path);
+  void write(const char bytes[], int count) override;
+  std::uint64_t tellp() override;
+  void seekp(std::uint64_t place) override;
+  /// Call when OpenEXR is done: a file is written only when this has returned.
+  void close();
+
+ private:
+  void check();
+
+  std::ofstream file_;
+  int error_ = 0;  ///< the first one: OpenEXR goes on after it
+};
 
 /// False for a size that no file of `file_bytes` can unpack to, so that a damaged header cannot make us allocate it.
 /// Deflate packs at most 1032 to 1 (zlib technical details).

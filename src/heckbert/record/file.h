@@ -17,6 +17,7 @@
 #include <vector>
 
 #include <heckbert/record/record.h>
+#include <heckbert/record/sums.h>
 
 namespace heckbert::record {
 
@@ -25,6 +26,13 @@ void write_record(const Record& record, const std::filesystem::path& path);
 /// What write_record wrote, exactly; everything in the file is checked before it is believed.
 /// Errors: ReadError saying what the file is instead, or where it is torn.
 Record read_record(const std::filesystem::path& path);
+
+/// A record that keeps its sums, in parts of their own ("sums", "samples", "batches"; see sums_parts.h): some 15 bytes
+/// more for each pair of pixel and word. read_record() reads its means, read_sums() what can be added to.
+/// Errors: WriteError.
+void write_sums(const Sums& sums, const std::filesystem::path& path);
+/// Errors: ReadError, also for a record without sums.
+Sums read_sums(const std::filesystem::path& path);
 
 /// One named picture of a flat multi-layer EXR. The layer with an empty name is the unprefixed R, G, B.
 struct Layer {

@@ -66,11 +66,13 @@ void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, cons
         header.insert(attribute_prefix(layer.name) + key, Imf::StringAttribute(value));
     }
     AtomicFile target(path);
+    exr::OutputStream stream(target.temporary());
     {
-      Imf::OutputFile file(target.temporary().c_str(), header, exr::threads());
+      Imf::OutputFile file(stream, header, exr::threads());
       file.setFrameBuffer(frame);
       file.writePixels(info.window.height());
     }
+    stream.close();
     target.commit();
   });
 }

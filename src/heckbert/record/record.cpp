@@ -21,27 +21,32 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
-int batch_count(int samples_per_pixel) {
-  return std::min(kBatches, samples_per_pixel);
+std::vector<SampleRange> samples_of(const RenderInfo& info) {
+  if (!info.parts.empty()) return info.parts;
+  return {{info.seed, info.samples_per_pixel, 0, info.samples_per_pixel}};
 }
 
-int batch_of(int sample, int samples_per_pixel) {
-  assert(sample >= 0 && sample < samples_per_pixel);
-  return static_cast<int>(static_cast<std::int64_t>(sample) * batch_count(samples_per_pixel) / samples_per_pixel);
+void set_samples(RenderInfo& info, const std::vector<SampleRange>& ranges) {
+  assert(!ranges.empty());
+  info.seed = ranges.front().seed;
+  info.samples_per_pixel = 0;
+  for (const SampleRange& range : ranges) info.samples_per_pixel += range.count();
+  const bool is_whole = ranges.size() == 1 && ranges.front().count() == ranges.front().of;
+  info.parts = is_whole ? std::vector<SampleRange>{} : ranges;
 }
 
-int first_of_batch(int batch, int samples_per_pixel) {
-  // The first sample s with floor(s * batches / samples) == batch.
-  const std::int64_t batches = batch_count(samples_per_pixel);
-  return static_cast<int>((static_cast<std::int64_t>(batch) * samples_per_pixel + batches - 1) / batches);
-}
-
-std::array<int, kBatches> batch_sizes(int samples_per_pixel) {
+std::array<int, kBatches> batch_sizes(const RenderInfo& info) {
+  if (!info.has_batches) return {info.samples_per_pixel};
   std::array<int, kBatches> sizes{};
-  for (int b = 0; b < batch_count(samples_per_pixel); ++b)
-    sizes[static_cast<std::size_t>(b)] =
-        first_of_batch(b + 1, samples_per_pixel) - first_of_batch(b, samples_per_pixel);
+  for (const SampleRange& range : samples_of(info))
+    for (int b = 0; b < batch_count(range.of); ++b)
+      sizes[static_cast<std::size_t>(b)] += std::max(0, std::min(range.last, first_of_batch(b + 1, range.of)) -
+                                                            std::max(range.first, first_of_batch(b, range.of)));
   return sizes;
+}
+
+int batches_in_use(const RenderInfo& info) {
+  return static_cast<int>(std::ranges::count_if(batch_sizes(info), [](int size) { return size > 0; }));
 }
 
 std::span<const Entry> Record::pixel(int x, int y) const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <heckbert/record/rgb.h>
+#include <heckbert/record/samples.h>
 #include <heckbert/record/sum.h>
 #include <heckbert/taxonomy/glossy_rule.h>
 #include <heckbert/taxonomy/language.h>
@@ -32,18 +33,34 @@ struct Window {
 
 /// What was rendered and how; stored in the file's header.
 struct RenderInfo {
-  std::string scene;      ///< file or built-in name
-  std::string algorithm;  ///< "path", "whitted", ...
+  std::string scene{};       ///< file or built-in name
+  std::string scene_hash{};  ///< of its contents, 16 hexadecimal digits; empty: not known
+  std::string algorithm{};   ///< "path", "whitted", ...
+  std::string sampler{};     ///< "sobol", ...
+  std::string filter{};      ///< of the pixels, with its radius: "box 0.5"
   int width = 0, height = 0;
-  Window window;  ///< the part that was rendered; the whole picture unless cropped
+  Window window{};  ///< the part that was rendered; the whole picture unless cropped
   int samples_per_pixel = 0;
   std::uint64_t seed = 0;
+  /// Which samples these are, when they are not all those of the render with `seed`; else empty. See set_samples().
+  std::vector<SampleRange> parts{};
+  /// False: the samples came without their numbers, as one batch, and no interval is known.
+  bool has_batches = true;
   int max_depth = 0;                   ///< most scatterings per path
   bool partial = false;                ///< interrupted: some pixels have no samples
-  std::string version;                 ///< of the tool
+  std::string version{};               ///< of the tool
   std::vector<std::string> ignored{};  ///< what the scene's file says and was not used, in sentences with their places
   bool operator==(const RenderInfo&) const = default;
 };
+
+/// Which samples every pixel has, as united() lists them.
+std::vector<SampleRange> samples_of(const RenderInfo& info);
+/// Sets samples_per_pixel, seed (of the first range) and parts. Takes: what united() gives, not empty.
+void set_samples(RenderInfo& info, const std::vector<SampleRange>& ranges);
+/// How many samples of a pixel are in each batch. Their sum is samples_per_pixel.
+std::array<int, kBatches> batch_sizes(const RenderInfo& info);
+/// How many batches have samples; intervals need two.
+int batches_in_use(const RenderInfo& info);
 
 /// What happened to the walks; every sample that was not recorded is counted here.
 struct Tally {
@@ -88,18 +105,6 @@ inline constexpr std::array<TallySumFacts, 2> kTallySums{{
     {"cut_off", &Tally::cut_off},
     {"cut_off_squares", &Tally::cut_off_squares},
 }};
-
-/// Number of batches that the samples of every pixel are dealt into; interval estimates come from their spread.
-inline constexpr int kBatches = 32;
-
-/// The batch of a sample: consecutive samples share one, and with fewer samples than batches each has its own.
-int batch_of(int sample, int samples_per_pixel);
-/// The first sample of a batch.
-int first_of_batch(int batch, int samples_per_pixel);
-/// How many batches are in use: min(kBatches, samples_per_pixel).
-int batch_count(int samples_per_pixel);
-/// How many samples of a pixel fall into each batch; they differ by one at most. Their sum is samples_per_pixel.
-std::array<int, kBatches> batch_sizes(int samples_per_pixel);
 
 /// Light that can be: finite and not negative in every channel.
 inline bool is_recordable(Rgb value) {

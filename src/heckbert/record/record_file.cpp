@@ -21,6 +21,7 @@
 #include <heckbert/record/atomic_file.h>
 #include <heckbert/record/exr.h>
 #include <heckbert/record/file.h>
+#include <heckbert/record/sums_parts.h>
 
 namespace heckbert::record {
 
@@ -269,55 +270,85 @@ std::vector<Rgb> read_non_path(Imf::InputPart part, const Window& window) {
   return pixels;
 }
 
-}  // namespace
-
-void write_record(const Record& record, const std::filesystem::path& path) {
+/// With `sums`, which `record` has the means of, their parts too.
+void write(const Record& record, const Sums* sums, const std::filesystem::path& path) {
   exr::writing(path, [&] {
     std::vector<Imf::Header> headers{paths_header(record)};
     for (const NonPathPart& part : kNonPathParts)
       if (!(record.*part.buffer).empty()) headers.push_back(non_path_header(record, part.name));
+    const int first_sums_part = static_cast<int>(headers.size());
+    if (sums != nullptr)
+      for (const Imf::Header& header : exr::sums_headers(*sums)) headers.push_back(header);
     AtomicFile target(path);
+    exr::OutputStream stream(target.temporary());
     {
-      Imf::MultiPartOutputFile file(target.temporary().c_str(), headers.data(), static_cast<int>(headers.size()), false,
-                                    exr::threads());
+      Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()), false, exr::threads());
       write_entries(Imf::DeepScanLineOutputPart(file, 0), record);
       int number = 1;
       for (const NonPathPart& part : kNonPathParts)
         if (const auto& pixels = record.*part.buffer; !pixels.empty())
           write_non_path(Imf::OutputPart(file, number++), pixels, record.info.window);
+      if (sums != nullptr) exr::write_sums_parts(file, first_sums_part, *sums);
     }
+    stream.close();
     target.commit();
   });
+}
+
+Record read_means(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
+  const Imf::Header& header = file.header(0);
+  check_layout(header);
+  for (int part = 0; part < file.parts(); ++part)
+    require(file.partComplete(part), "the file is incomplete: scan lines are missing");
+
+  Record record;
+  record.info = exr::info_of(header);
+  check_info(record.info);
+  require(exr::can_unpack_to(record.info.window.pixel_count() * sizeof(unsigned), file_bytes),
+          "the file is damaged: it promises more pixels than it can hold");
+  for (const TallyFacts& facts : kTallyFields)
+    record.tally.*facts.field =
+        exr::parse_number(exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
+  for (const TallySumFacts& facts : kTallySums)
+    record.tally.*facts.field =
+        exr::parse_quanta(exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
+  record.words = read_words(header, file_bytes);
+  record.batch_means = read_batch_means(header, record.words.size());
+  read_entries(Imf::DeepScanLineInputPart(file, 0), file_bytes, record);
+  for (int number = 1; number < file.parts(); ++number)
+    for (const NonPathPart& part : kNonPathParts)
+      if (file.header(number).name() == part.name)
+        record.*part.buffer = read_non_path(Imf::InputPart(file, number), record.info.window);
+  return record;
+}
+
+}  // namespace
+
+void write_record(const Record& record, const std::filesystem::path& path) {
+  write(record, nullptr, path);
+}
+
+void write_sums(const Sums& sums, const std::filesystem::path& path) {
+  write(record_of(sums), &sums, path);
 }
 
 Record read_record(const std::filesystem::path& path) {
   return exr::reading(path, [&] {
     const std::uint64_t file_bytes = exr::check_is_exr(path);
     Imf::MultiPartInputFile file(path.c_str(), exr::threads(), false);
-    const Imf::Header& header = file.header(0);
-    check_layout(header);
-    for (int part = 0; part < file.parts(); ++part)
-      require(file.partComplete(part), "the file is incomplete: scan lines are missing");
+    return read_means(file, file_bytes);
+  });
+}
 
-    Record record;
-    record.info = exr::info_of(header);
-    check_info(record.info);
-    require(exr::can_unpack_to(record.info.window.pixel_count() * sizeof(unsigned), file_bytes),
-            "the file is damaged: it promises more pixels than it can hold");
-    for (const TallyFacts& facts : kTallyFields)
-      record.tally.*facts.field = exr::parse_number(
-          exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
-    for (const TallySumFacts& facts : kTallySums)
-      record.tally.*facts.field = exr::parse_quanta(
-          exr::attribute<Imf::StringAttribute>(header, tally_name(facts.name)), tally_name(facts.name));
-    record.words = read_words(header, file_bytes);
-    record.batch_means = read_batch_means(header, record.words.size());
-    read_entries(Imf::DeepScanLineInputPart(file, 0), file_bytes, record);
-    for (int number = 1; number < file.parts(); ++number)
-      for (const NonPathPart& part : kNonPathParts)
-        if (file.header(number).name() == part.name)
-          record.*part.buffer = read_non_path(Imf::InputPart(file, number), record.info.window);
-    return record;
+Sums read_sums(const std::filesystem::path& path) {
+  return exr::reading(path, [&] {
+    const std::uint64_t file_bytes = exr::check_is_exr(path);
+    Imf::MultiPartInputFile file(path.c_str(), exr::threads(), false);
+    const Record record = read_means(file, file_bytes);
+    require(exr::has_sums(file),
+            "this record has means and no sums, so nothing can be added to it exactly; expected one of 'heckbert "
+            "render --exact', --part or --checkpoint, or an interrupted one");
+    return exr::read_sums_parts(file, record);
   });
 }
 

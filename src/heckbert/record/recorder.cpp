@@ -20,7 +20,7 @@ std::vector<std::uint32_t> sorting_order(const std::vector<taxonomy::Word>& word
 }  // namespace
 
 TileRecorder::TileRecorder(const RenderInfo& info, const SampleMap* sample_map)
-    : samples_per_pixel_(info.samples_per_pixel),
+    : samples_of_the_whole_(samples_of(info).front().of),
       sample_map_(sample_map),
       mean_repeats_(sample_map == nullptr ? 1.0f : static_cast<float>(sample_map->mean())) {}
 
@@ -46,7 +46,7 @@ void TileRecorder::begin_sample(int x, int y, int sample) {
   }
   ++pixel_samples_;
   ++tile_.tally.samples;
-  batch_ = static_cast<std::size_t>(batch_of(sample, samples_per_pixel_));
+  batch_ = static_cast<std::size_t>(batch_of(sample, samples_of_the_whole_));
 }
 
 void TileRecorder::add(const Contribution& contribution) {

@@ -52,7 +52,8 @@ struct Tile {
 /// allocation once the words of the scene have been seen.
 class TileRecorder final : public PathSink {
  public:
-  /// With a map, each sample number of a pixel comes as often as the map says; all of them count the same.
+  /// `info` is of one render or of a part of one. With a map, each sample number of a pixel comes as often as the map
+  /// says; all of them count the same.
   explicit TileRecorder(const RenderInfo& info, const SampleMap* sample_map = nullptr);
   void begin_tile(const Window& window);
   /// Call after the last sample of the tile. Pixels without samples have no entries.
@@ -91,7 +92,7 @@ class TileRecorder final : public PathSink {
   void enlist(taxonomy::WordTrie::Node node, Slot& slot);
   void finish_pixel();
 
-  int samples_per_pixel_ = 0;
+  int samples_of_the_whole_ = 0;  ///< per pixel, of which this recorder may get a part
   const SampleMap* sample_map_ = nullptr;
   float mean_repeats_ = 1;
   Tile tile_;                                          ///< window, tally and non-path light of the current tile

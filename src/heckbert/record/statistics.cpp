@@ -12,24 +12,34 @@ namespace {
 
 using Series = std::vector<double>;  // one value per batch in use
 
+/// The numbers of the batches that have samples.
+std::vector<std::size_t> batches_of(const Record& record) {
+  const auto sizes = batch_sizes(record.info);
+  std::vector<std::size_t> batches;
+  for (std::size_t b = 0; b < kBatches; ++b)
+    if (sizes[b] > 0) batches.push_back(b);
+  return batches;
+}
+
 /// Luminance of the picture mean, as each batch alone estimates it.
 Series luminance_by_batch(const Record& record, const std::vector<bool>& chosen) {
   assert(chosen.size() == record.words.size());
-  Series series(static_cast<std::size_t>(batch_count(record.info.samples_per_pixel)));
+  const std::vector<std::size_t> batches = batches_of(record);
+  Series series(batches.size());
   for (std::size_t w = 0; w < chosen.size(); ++w) {
     if (!chosen[w]) continue;
     for (std::size_t b = 0; b < series.size(); ++b)
-      series[b] += static_cast<double>(luminance(record.batch_means[w * kBatches + b]));
+      series[b] += static_cast<double>(luminance(record.batch_means[w * kBatches + batches[b]]));
   }
   return series;
 }
 
 /// The fraction of the samples that each batch holds.
 Series batch_weights(const Record& record) {
-  const int samples = record.info.samples_per_pixel;
-  const auto sizes = batch_sizes(samples);
-  Series weights(static_cast<std::size_t>(batch_count(samples)));
-  for (std::size_t b = 0; b < weights.size(); ++b) weights[b] = static_cast<double>(sizes[b]) / samples;
+  const auto sizes = batch_sizes(record.info);
+  Series weights;
+  for (const std::size_t b : batches_of(record))
+    weights.push_back(static_cast<double>(sizes[b]) / record.info.samples_per_pixel);
   return weights;
 }
 
@@ -92,18 +102,19 @@ Estimate energy(const Record& record, const std::vector<bool>& chosen, double co
 
 Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
   assert(chosen.size() == record.words.size());
+  const std::vector<std::size_t> batches = batches_of(record);
   const Series weights = batch_weights(record);
-  double r = 0, g = 0, b = 0;
+  double red = 0, green = 0, blue = 0;
   for (std::size_t w = 0; w < chosen.size(); ++w) {
     if (!chosen[w]) continue;
-    for (std::size_t batch = 0; batch < weights.size(); ++batch) {
-      const Rgb mean = record.batch_means[w * kBatches + batch];
-      r += weights[batch] * static_cast<double>(mean.r);
-      g += weights[batch] * static_cast<double>(mean.g);
-      b += weights[batch] * static_cast<double>(mean.b);
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+      const Rgb mean = record.batch_means[w * kBatches + batches[b]];
+      red += weights[b] * static_cast<double>(mean.r);
+      green += weights[b] * static_cast<double>(mean.g);
+      blue += weights[b] * static_cast<double>(mean.b);
     }
   }
-  return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
+  return {static_cast<float>(red), static_cast<float>(green), static_cast<float>(blue)};
 }
 
 Estimate share(const Record& record, const std::vector<bool>& part, const std::vector<bool>& whole, double confidence) {

@@ -1,6 +1,7 @@
 #include <heckbert/report/facts.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <heckbert/record/statistics.h>
 #include <heckbert/report/numbers.h>
@@ -36,6 +37,14 @@ std::string rounding(const record::Tally& tally) {
                      record::kMostLight, grouped(tally.vanished));
 }
 
+/// The seed, or which samples of which seeds.
+std::string samples_text(const record::RenderInfo& info) {
+  if (info.parts.empty()) return fmt::format("seed {}", info.seed);
+  std::vector<std::string> ranges;
+  for (const record::SampleRange& range : info.parts) ranges.push_back(record::to_text(range));
+  return fmt::format("{}", fmt::join(ranges, "; "));
+}
+
 }  // namespace
 
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally) {
@@ -44,7 +53,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
       {"Algorithm", info.algorithm},
       {"Picture", picture_size(info)},
       {"Samples", fmt::format("{} per pixel, {} in all", info.samples_per_pixel, grouped(tally.samples))},
-      {"Seed", std::to_string(info.seed)},
+      {"Seed", info.parts.empty() ? std::to_string(info.seed) : samples_text(info)},
       {"Depth", fmt::format("at most {} scatterings per path", info.max_depth)},
       {"Paths found", fmt::format("{} by hitting a light, {} by next-event estimation", grouped(tally.hits),
                                   grouped(tally.next_events))},
@@ -70,18 +79,21 @@ std::string termination(const record::RenderInfo& info, const record::Tally& tal
 
 std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally) {
   std::vector<std::string> found;
-  if (info.partial) found.push_back("The render was interrupted: pixels without samples are black and count as such.");
+  if (info.partial)
+    found.push_back("The render was interrupted: samples that pixels lack are black and count as such.");
   if (tally.rejected_not_finite + tally.rejected_negative > 0)
     found.push_back(fmt::format("Contributions were left out because they were no light: {}.", rejected(tally)));
   if (tally.clamped > 0) found.push_back(fmt::format("Contributions were out of range: {}.", rounding(tally)));
-  if (record::batch_count(info.samples_per_pixel) < 2)
-    found.push_back("One sample per pixel gives no confidence intervals; render with two or more.");
+  if (!info.has_batches)
+    found.push_back("The paths were imported as sums: how much they scatter is not known, and no interval is given.");
+  else if (record::batches_in_use(info) < 2)
+    found.push_back("Samples of one batch alone give no confidence intervals; render with two or more per pixel.");
   return found;
 }
 
 std::string summary(const record::RenderInfo& info) {
-  return fmt::format("{}, {}, {}, {} samples per pixel, seed {}, heckbert {}", info.scene, info.algorithm,
-                     picture_size(info), info.samples_per_pixel, info.seed, info.version);
+  return fmt::format("{}, {}, {}, {} samples per pixel, {}, heckbert {}", info.scene, info.algorithm,
+                     picture_size(info), info.samples_per_pixel, samples_text(info), info.version);
 }
 
 std::string describe(taxonomy::GlossyRule rule) {

@@ -14,15 +14,25 @@ Json to_json(const record::Estimate& estimate) {
           {"known", estimate.known}};
 }
 
+Json to_json(const record::SampleRange& range) {
+  return {{"seed", range.seed}, {"of", range.of}, {"first", range.first}, {"last", range.last - 1}};
+}
+
 Json to_json(const record::RenderInfo& info) {
   const record::Window& window = info.window;
+  Json parts = Json::array();
+  for (const record::SampleRange& part : record::samples_of(info)) parts.push_back(to_json(part));
   return {{"scene", info.scene},
+          {"scene_hash", info.scene_hash},
           {"algorithm", info.algorithm},
+          {"sampler", info.sampler},
+          {"filter", info.filter},
           {"width", info.width},
           {"height", info.height},
           {"window", {{"x0", window.x0}, {"y0", window.y0}, {"x1", window.x1}, {"y1", window.y1}}},
           {"samples_per_pixel", info.samples_per_pixel},
           {"seed", info.seed},
+          {"samples", parts},
           {"max_depth", info.max_depth},
           {"partial", info.partial},
           {"version", info.version},

@@ -20,6 +20,8 @@ inline constexpr int kSchemaVersion = 1;
 
 Json document_of(std::string_view schema);  ///< {"schema": ..., "schema_version": ...}
 Json to_json(const record::Estimate& estimate);
+/// `last` is the last sample itself, not the one behind it.
+Json to_json(const record::SampleRange& range);
 Json to_json(const record::RenderInfo& info);
 Json to_json(const record::Tally& tally);
 Json to_json(const std::vector<WordEnergy>& words);

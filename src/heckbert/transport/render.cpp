@@ -15,9 +15,11 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <heckbert/record/recorder.h>
+#include <heckbert/transport/filter.h>
 #include <heckbert/transport/material.h>
 #include <heckbert/transport/path_tracer.h>
 #include <heckbert/transport/recursive_tracer.h>
+#include <heckbert/transport/scene_hash.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -43,6 +45,11 @@ void check(const Scene& scene, const RenderSettings& settings) {
                   settings.height));
   require(settings.samples_per_pixel > 0,
           fmt::format("samples per pixel must be at least 1, not {}", settings.samples_per_pixel));
+  require(1 <= settings.part.number && settings.part.number <= settings.part.of,
+          fmt::format("there is no part {0} of {1}; expected 1 to {1}", settings.part.number, settings.part.of));
+  require(settings.part.of <= settings.samples_per_pixel,
+          fmt::format("{} samples per pixel cannot be shared out into {} parts", settings.samples_per_pixel,
+                      settings.part.of));
   require(settings.max_depth >= 0, fmt::format("the maximum depth must not be negative, like {}", settings.max_depth));
   require(settings.threads >= 0, fmt::format("the number of threads must not be negative, like {}", settings.threads));
   require(settings.filter.radius > 0, "the radius of the pixel filter must be above 0");
@@ -54,8 +61,14 @@ void check(const Scene& scene, const RenderSettings& settings) {
               (settings.sample_map->window == w && settings.sample_map->repeats.size() == w.pixel_count() &&
                std::ranges::all_of(settings.sample_map->repeats, [](auto n) { return n > 0; })),
           "the sample map must repeat every pixel of the window at least once");
+  require(settings.skip.empty() || settings.skip.size() == w.pixel_count(),
+          "the pixels to skip must be those of the window");
   for (const Material& material : scene.materials) check_material(scene, material);
   check_media(scene);
+}
+
+record::SampleRange samples_of(const RenderSettings& settings) {
+  return record::samples_of(settings.part, settings.seed, settings.samples_per_pixel);
 }
 
 /// Tiles row by row, so that a picture fills from the top.
@@ -130,7 +143,15 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
 
   const Window window = picture_window(settings);
   const std::vector<Window> tiles = tiles_of(window);
-  ProgressMeter meter(hooks, window.pixel_count());
+  const record::SampleRange samples = samples_of(settings);
+  const auto skips = [&](int x, int y) {
+    return !settings.skip.empty() &&
+           settings.skip[static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
+                         static_cast<std::size_t>(x - window.x0)];
+  };
+  const std::size_t pixel_count =
+      window.pixel_count() - static_cast<std::size_t>(std::ranges::count(settings.skip, true));
+  ProgressMeter meter(hooks, pixel_count);
   std::atomic<std::size_t> next_tile{0}, pixels_done{0};
   const auto stopped = [&] { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); };
 
@@ -163,12 +184,13 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
       std::size_t pixels = 0;
       worker.begin(tile);
       for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x, ++pixels) {
+        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x) {
+          if (skips(x, y)) continue;
+          ++pixels;
           const int repeats = settings.sample_map ? settings.sample_map->at(x, y) : 1;
           for (int repeat = 0; repeat < repeats; ++repeat) {
             const SamplePlan plan = plan_of(repeat);
-            for (int sample = 0; sample < settings.samples_per_pixel; ++sample)
-              rays += trace_sample(plan, x, y, sample);
+            for (int sample = samples.first; sample < samples.last; ++sample) rays += trace_sample(plan, x, y, sample);
           }
         }
       worker.end();
@@ -178,7 +200,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   };
   tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner()); });
-  return pixels_done == window.pixel_count();
+  return pixels_done == pixel_count;
 }
 
 /// Adds everything up to one colour per pixel and forgets the rest.
@@ -204,30 +226,51 @@ class PictureSink final : public record::PathSink {
 
 }  // namespace
 
-record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
+record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings) {
+  const auto& filter = kFilters[static_cast<std::size_t>(settings.filter.kind)];
+  record::RenderInfo info{
+      .scene = scene.name,
+      .scene_hash = fmt::format("{:016x}", hash_of(scene)),
+      .algorithm = std::string(kAlgorithms[static_cast<std::size_t>(settings.algorithm)].name),
+      .sampler = std::string(kSamplers[static_cast<std::size_t>(settings.sampler)].name),
+      .filter = fmt::format("{} {}", filter.name, settings.filter.radius),
+      .width = settings.width,
+      .height = settings.height,
+      .window = picture_window(settings),
+      .max_depth = settings.max_depth,
+      .version = HECKBERT_VERSION,
+  };
+  set_samples(info, {samples_of(settings)});
+  return info;
+}
+
+bool render_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks,
+                  const std::function<void(record::Tile)>& take) {
   check(scene, settings);
-  const auto& algorithm = kAlgorithms[static_cast<std::size_t>(settings.algorithm)];
-  const record::RenderInfo info{.scene = scene.name,
-                                .algorithm = std::string(algorithm.name),
-                                .width = settings.width,
-                                .height = settings.height,
-                                .window = picture_window(settings),
-                                .samples_per_pixel = settings.samples_per_pixel,
-                                .seed = settings.seed,
-                                .max_depth = settings.max_depth,
-                                .partial = false,
-                                .version = HECKBERT_VERSION};
-  record::Assembler assembler(info);
+  const record::RenderInfo info = info_of(scene, settings);
+  std::mutex mutex;
   struct Worker {
     record::TileRecorder recorder;
-    record::Assembler& assembler;
+    const std::function<void(record::Tile)>& take;
+    std::mutex& mutex;
     record::PathSink& sink() { return recorder; }
     void begin(const Window& tile) { recorder.begin_tile(tile); }
-    void end() { assembler.submit(recorder.end_tile()); }
+    void end() {
+      record::Tile tile = recorder.end_tile();
+      const std::scoped_lock lock(mutex);
+      take(std::move(tile));
+    }
   };
-  const bool complete = trace_tiles(scene, settings, hooks, true, [&] {
-    return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), assembler};
+  return trace_tiles(scene, settings, hooks, true, [&] {
+    return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), take, mutex};
   });
+}
+
+record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
+  check(scene, settings);
+  record::Assembler assembler(info_of(scene, settings));
+  const bool complete =
+      render_tiles(scene, settings, hooks, [&](record::Tile tile) { assembler.submit(std::move(tile)); });
   return assembler.finish(!complete);
 }
 
@@ -243,7 +286,7 @@ record::Image render_picture_only(const Scene& scene, const RenderSettings& sett
     void end() {}
   };
   trace_tiles(scene, settings, hooks, false, [&] { return Worker{PictureSink(image)}; });
-  for (Rgb& pixel : image.pixels) pixel *= 1.0f / static_cast<float>(settings.samples_per_pixel);
+  for (Rgb& pixel : image.pixels) pixel *= 1.0f / static_cast<float>(samples_of(settings).count());
   return image;
 }
 

@@ -6,9 +6,10 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <heckbert/record/path_sink.h>
-#include <heckbert/record/record.h>
+#include <heckbert/record/recorder.h>
 #include <heckbert/record/sample_map.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
@@ -35,8 +36,10 @@ struct RenderSettings {
   AlgorithmId algorithm = AlgorithmId::Path;
   int width = 512, height = 512;
   std::optional<record::Window> crop{};
-  int samples_per_pixel = 64;
-  int max_depth = 32;  ///< most scatterings per path
+  int samples_per_pixel = 64;  ///< of the whole, whatever the part
+  record::Part part{};         ///< which of them to trace
+  std::vector<bool> skip{};    ///< by pixel of the window, row by row: not to be traced; empty: all are
+  int max_depth = 32;          ///< most scatterings per path
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
   /// Off: the path tracer finds lamps by running into them alone. For comparison; lights that cannot be hit stay dark.
@@ -57,10 +60,19 @@ struct RenderHooks {
   const std::atomic<bool>* stop = nullptr;        ///< set it to stop soon; the record comes back partial
 };
 
-/// Traces the scene. The same settings and seed give the same record for any number of threads.
+/// What the record of such a render says about it. Takes: settings that render() accepts.
+record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings);
+
+/// Traces the scene. The same settings and seed give the same record for any number of threads, and the
+/// records of all parts of a render merge to that of the whole, bit for bit.
 /// Errors: std::invalid_argument for settings out of range or a scene that breaks the rules of scene.h. A scene without
 /// lights is black, not an error.
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks = {});
+
+/// Traces the scene and hands over sums as tiles are finished: in no certain order, from tracing threads, one at a
+/// time. Gives back whether it was not stopped. Errors: as render().
+bool render_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks,
+                  const std::function<void(record::Tile)>& take);
 
 /// The same walk with nothing recorded but the picture: what recording costs is measured against this.
 record::Image render_picture_only(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks = {});

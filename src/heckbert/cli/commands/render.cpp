@@ -1,4 +1,3 @@
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,9 +19,10 @@
 #include <heckbert/cli/layers.h>
 #include <heckbert/cli/pictures.h>
 #include <heckbert/cli/pilot.h>
-#include <heckbert/cli/progress.h>
+#include <heckbert/cli/ranks.h>
 #include <heckbert/cli/scenes.h>
 #include <heckbert/cli/settings.h>
+#include <heckbert/cli/tracing.h>
 #include <heckbert/import/import.h>
 #include <heckbert/record/file.h>
 #include <heckbert/report/facts.h>
@@ -37,7 +37,8 @@ struct RenderOptions {
   std::string scene;
   std::string algorithm{transport::kAlgorithms.front().name};
   std::string output, record, preview;  ///< empty: not wanted
-  bool no_preview = false;
+  std::string resume;                   ///< empty: from the start
+  bool no_preview = false, exact = false;
   std::vector<std::string> classes;  ///< "name=EXPR" or "EXPR"
   bool json = false;
   SettingFlags flags;
@@ -49,6 +50,9 @@ void declare(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.output, "the picture and its class layers, as OpenEXR")
       ->type_name("FILE.exr");
   command.add_option("--record", options.record, "the record, for all later questions")->type_name("FILE.paths.exr");
+  command.add_flag("--exact", options.exact, "keep sums in the record, so that others can be merged with it");
+  command.add_option("--resume", options.resume, "go on from the record of an interrupted render")
+      ->type_name("FILE.paths.exr");
   command.add_option("--preview", options.preview, "a PNG of the picture (default: beside the -o file)")
       ->type_name("FILE.png");
   command.add_flag("--no-preview", options.no_preview, "write no PNG");
@@ -65,7 +69,11 @@ constexpr const char* kExamples =
     "  heckbert render cornell -o cornell.exr --record cornell.paths.exr --spp 64\n"
     "  heckbert render room.obj -o room.exr --size 640x480 --time 30\n"
     "  heckbert render lecture -o out.exr --lpe caustic='LS+DE' --lpe indirect=@indirect\n"
-    "  heckbert render lecture --record whitted.paths.exr --algorithm whitted\n";
+    "  heckbert render lecture --record whitted.paths.exr --algorithm whitted\n"
+    "  heckbert render lecture --record out.paths.exr --checkpoint 60\n"
+    "  heckbert render lecture --record out.paths.exr --checkpoint 60 --resume out.paths.exr\n"
+    "  heckbert render lecture --record part3.paths.exr --part 3/8\n"
+    "  mpirun heckbert render lecture -o lecture.exr --record lecture.paths.exr\n";
 
 /// Where the results go.
 struct Outputs {
@@ -98,7 +106,7 @@ Outputs outputs_of(const RenderOptions& options) {
 }
 
 transport::RenderSettings render_settings(const RenderOptions& options, const Settings& settings,
-                                          const transport::RenderDefaults& scene) {
+                                          const transport::RenderDefaults& scene, const Ranks& ranks) {
   transport::RenderSettings render;
   render.algorithm = choose_flag("--algorithm", options.algorithm, transport::kAlgorithms).id;
   render.width = settings.size ? settings.size->width : scene.width.value_or(render.width);
@@ -106,6 +114,14 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
   render.crop = settings.crop;
   render.samples_per_pixel =
       settings.samples_per_pixel.value_or(scene.samples_per_pixel.value_or(render.samples_per_pixel));
+  if (ranks.count() > 1 && settings.part.of > 1)
+    throw UsageError("--part: the processes of mpirun are the parts already");
+  render.part = ranks.count() > 1 ? record::Part{ranks.number() + 1, ranks.count()} : settings.part;
+  if (settings.seconds && (render.part.of > 1 || !options.resume.empty()))
+    throw UsageError("--time: what is traced in pieces needs a number of samples that all pieces know; use --spp");
+  if (render.part.of > render.samples_per_pixel)
+    throw UsageError(fmt::format("{} samples per pixel cannot be shared out into {} parts", render.samples_per_pixel,
+                                 render.part.of));
   render.max_depth = settings.max_depth.value_or(scene.max_depth.value_or(render.max_depth));
   render.seed = settings.seed.value_or(scene.seed.value_or(render.seed));
   render.filter = settings.filter.value_or(scene.filter.value_or(render.filter));
@@ -125,27 +141,6 @@ void tell_account(const Console& console, const std::string& name, const import:
   console.note(account_lines(account.ignored, "ignored"));
 }
 
-/// What a render leaves besides the record.
-struct Work {
-  double seconds = 0;
-  std::uint64_t rays = 0;
-};
-
-record::Record trace(const transport::Scene& scene, const transport::RenderSettings& settings, const Console& console,
-                     const std::atomic<bool>& stop, Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  ProgressDisplay display(console.progress(), settings.samples_per_pixel);
-  transport::RenderHooks hooks;
-  hooks.stop = &stop;
-  hooks.progress = [&](const transport::Progress& progress) {
-    work.rays = progress.rays;
-    display.show(progress);
-  };
-  record::Record record = transport::render(scene, settings, hooks);
-  work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return record;
-}
-
 void tell_result(const Console& console, const record::Record& record, const Work& work,
                  const std::vector<ClassOfRecord>& classes) {
   console.note(fmt::format("{} samples in {:.2f} s, {:.2f} Mrays/s; {} found", report::grouped(record.tally.samples),
@@ -158,8 +153,9 @@ void tell_result(const Console& console, const record::Record& record, const Wor
   }
 }
 
-void write_outputs(const Outputs& outputs, const record::Record& record, const std::vector<ClassOfRecord>& classes,
-                   const Settings& settings) {
+/// `sums` are kept with the record, unless there are none.
+void write_outputs(const Outputs& outputs, const record::Record& record, const record::Sums* sums,
+                   const std::vector<ClassOfRecord>& classes, const Settings& settings) {
   const record::Image beauty = record::beauty(record);
   if (!outputs.picture.empty()) {
     std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy);
@@ -167,7 +163,10 @@ void write_outputs(const Outputs& outputs, const record::Record& record, const s
     add_non_path_layers(record, layers);
     write_to(outputs.picture, [&](const auto& path) { record::write_layers(layers, record.info, path); });
   }
-  if (!outputs.record.empty()) write_to(outputs.record, [&](const auto& path) { record::write_record(record, path); });
+  if (!outputs.record.empty())
+    write_to(outputs.record, [&](const auto& path) {
+      sums != nullptr ? record::write_sums(*sums, path) : record::write_record(record, path);
+    });
   if (!outputs.preview.empty()) write_bytes(outputs.preview, png_of(beauty, report::auto_exposure(beauty)));
 }
 
@@ -188,15 +187,55 @@ report::Json to_json(const Outputs& outputs, const record::Record& record, const
   return json;
 }
 
+/// What the tracing is told, apart from the scene.
+TracingJob job_of(const RenderOptions& options, const Settings& settings, const transport::RenderSettings& render,
+                  const import::Imported& imported, const Outputs& outputs, const Ranks& ranks) {
+  TracingJob job{.settings = render, .info = transport::info_of(imported.scene, render)};
+  job.info.scene = options.scene;
+  job.info.ignored = imported.account.ignored;
+  job.checkpoint = settings.checkpoint;
+  job.resume = options.resume;
+  job.keep = outputs.record;
+  if (ranks.count() > 1) {
+    job.keep = name_of_part(outputs.record.empty() ? outputs.picture : outputs.record, render.part);
+    // Each rank goes on from its own part, if that is there.
+    if (!job.resume.empty()) job.resume = name_of_part(job.resume, render.part);
+    if (!std::filesystem::exists(job.resume)) job.resume.clear();
+  }
+  if (job.checkpoint && (job.keep.empty() || job.keep == "-"))
+    throw UsageError("--checkpoint needs a file to write to: --record FILE.paths.exr");
+  return job;
+}
+
+/// A rank of several has traced its part: writes it, and brings all parts together at rank 0, whose sums come back.
+/// The files of the parts stay until all is written, for others to merge when this job does not come to its end.
+std::optional<record::Sums> share(const Ranks& ranks, record::Sums sums, const std::string& kept) {
+  record::write_sums(sums, kept);
+  if (sums.info.partial) ranks.interrupt_all();
+  return reduce(ranks, std::move(sums));
+}
+
+/// Rank 0 tells the others that everything is written, and every rank removes its part.
+void part_from(const Ranks& ranks, const std::string& kept) {
+  for (int other = 1; ranks.number() == 0 && other < ranks.count(); ++other) ranks.send(other, "written");
+  if (ranks.number() > 0) ranks.receive(0);
+  std::filesystem::remove(kept);
+}
+
 ExitCode run(const RenderOptions& options) {
-  const Settings settings = resolve(options.flags);
+  Settings settings = resolve(options.flags);
+  Ranks ranks;
+  if (ranks.number() > 0) {
+    settings.quiet = true;
+    settings.progress = When::Never;
+  }
   const Console console(settings);
   // Everything that can be wrong is looked at before any ray is traced.
   const Outputs outputs = outputs_of(options);
   const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "--lpe", settings);
   choose_flag("--algorithm", options.algorithm, transport::kAlgorithms);
   const import::Imported imported = load_scene(options.scene);
-  transport::RenderSettings render = render_settings(options, settings, imported.scene.defaults);
+  transport::RenderSettings render = render_settings(options, settings, imported.scene.defaults, ranks);
   tell_account(console, options.scene, imported.account);
 
   const InterruptGuard interrupt;
@@ -210,14 +249,24 @@ ExitCode run(const RenderOptions& options) {
                            render.height, render.samples_per_pixel, options.algorithm, render.seed, render.max_depth));
 
   Work work;
-  record::Record record = trace(imported.scene, render, console, interrupt.stop(), work);
-  record.info.scene = options.scene;
-  record.info.ignored = imported.account.ignored;
+  const TracingJob job = job_of(options, settings, render, imported, outputs, ranks);
+  std::optional<record::Sums> sums = trace(imported.scene, job, console, interrupt.stop(), work);
+  if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
+  if (!sums) {
+    part_from(ranks, job.keep);
+    ranks.leave();
+    return ExitCode::Done;
+  }
+
+  const record::Record record = record::record_of(*sums);
+  const bool keeps_sums = options.exact || record.info.partial || !record.info.parts.empty();
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
-  write_outputs(outputs, record, classes, settings);
+  write_outputs(outputs, record, keeps_sums ? &*sums : nullptr, classes, settings);
   tell_result(console, record, work, classes);
   console.note(fmt::format("wrote {}", fmt::join(outputs.all(), ", ")));
   if (options.json) fmt::print("{}", report::dump(to_json(outputs, record, work, classes, settings, imported.account)));
+  if (ranks.count() > 1) part_from(ranks, job.keep);
+  ranks.leave();
   return record.info.partial ? ExitCode::Interrupted : ExitCode::Done;
 }
 

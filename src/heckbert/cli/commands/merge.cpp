@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <heckbert/cli/commands/command.h>
+#include <heckbert/cli/commands/commands.h>
+#include <heckbert/cli/console.h>
+#include <heckbert/cli/files.h>
+#include <heckbert/cli/settings.h>
+#include <heckbert/record/file.h>
+#include <heckbert/report/facts.h>
+#include <heckbert/report/json_parts.h>
+#include <heckbert/taxonomy/error.h>
+
+namespace heckbert::cli {
+namespace {
+
+struct MergeOptions {
+  std::vector<std::string> records;
+  std::string output;
+  bool exact = false, json = false;
+  SettingFlags flags;
+};
+
+void declare(CLI::App& command, MergeOptions& options) {
+  command.add_option("RECORD", options.records, "records that keep their sums, in any order")->required();
+  command.add_option("-o,--output", options.output, "the record of all of them")
+      ->type_name("FILE.paths.exr")
+      ->required();
+  command.add_flag("--exact", options.exact, "keep the sums even when nothing is missing, to merge more later");
+  command.add_flag("--json", options.json, "print what was merged as JSON");
+  add_settings(command, options.flags, {});
+}
+
+constexpr const char* kExamples =
+    "  heckbert merge room.part-*.paths.exr -o room.paths.exr\n"
+    "  heckbert merge monday.paths.exr tuesday.paths.exr -o both.paths.exr --exact\n";
+
+/// Records as they are added up, with what is told about any two of them.
+class Merger {
+ public:
+  explicit Merger(const Console& console) : console_(console) {}
+
+  void add(const std::string& name) {
+    record::Sums sums = read_sums(name);
+    console_.detail(fmt::format("{}: {}", name, report::summary(sums.info)));
+    for (const auto& [earlier, info] : inputs_) {
+      check(earlier, info, name, sums.info);
+      if (const std::string doubt = record::doubt_of(info, sums.info); !doubt.empty())
+        console_.note(fmt::format("warning: '{}' and '{}': {}", earlier, name, doubt));
+    }
+    const record::RenderInfo info = sums.info;
+    sums_ = inputs_.empty() ? std::move(sums) : record::merged(std::move(sums_), std::move(sums));
+    inputs_.emplace_back(name, info);
+  }
+
+  const record::Sums& sums() const { return sums_; }
+
+ private:
+  static void check(const std::string& first, const record::RenderInfo& a, const std::string& second,
+                    const record::RenderInfo& b) {
+    try {
+      record::check_alike(a, b);
+      record::samples_of_both(a, b);
+    } catch (const record::MergeError& error) {
+      throw ReadError(fmt::format("cannot merge '{}' and '{}': {}", first, second, error.what()));
+    }
+  }
+
+  const Console& console_;
+  std::vector<std::pair<std::string, record::RenderInfo>> inputs_;  // names, and what they are of
+  record::Sums sums_;
+};
+
+report::Json to_json(const std::vector<record::SampleRange>& ranges) {
+  report::Json json = report::Json::array();
+  for (const record::SampleRange& range : ranges) json.push_back(report::to_json(range));
+  return json;
+}
+
+ExitCode run(const MergeOptions& options) {
+  const Console console(resolve(options.flags));
+  if (options.output == "-" && options.json) throw UsageError("--json and an output '-' both want standard output");
+  check_writable(options.output);
+  Merger merger(console);
+  for (const std::string& name : options.records) merger.add(name);
+
+  const record::Sums& sums = merger.sums();
+  const std::vector<record::SampleRange> missing = record::missing_of(record::samples_of(sums.info));
+  const bool keeps_sums = options.exact || sums.info.partial || !missing.empty();
+  const record::Record record = record::record_of(sums);
+  write_to(options.output,
+           [&](const auto& path) { keeps_sums ? record::write_sums(sums, path) : record::write_record(record, path); });
+
+  console.note(report::summary(sums.info));
+  for (const record::SampleRange& range : missing) console.note("still missing: " + record::to_text(range));
+  for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
+  console.note(fmt::format("wrote {}", options.output));
+  if (options.json) {
+    report::Json json = report::document_of("heckbert.merge");
+    json["render"] = report::to_json(record.info);
+    json["tally"] = report::to_json(record.tally);
+    json["words"] = record.words.size();
+    json["missing"] = to_json(missing);
+    json["keeps_sums"] = keeps_sums;
+    json["records"] = options.records;
+    json["file"] = options.output;
+    fmt::print("{}", report::dump(json));
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Run& chosen) {
+  add_command<MergeOptions>(app, chosen, "merge", "Add up records: the parts of a render, or other seeds of a scene",
+                            kExamples, declare, run);
+}
+
+}  // namespace heckbert::cli

@@ -1,0 +1,231 @@
+#include <heckbert/record/sums.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace heckbert::record {
+
+namespace {
+
+std::string to_text(const Window& window) {
+  return fmt::format("{},{},{},{}", window.x0, window.y0, window.x1, window.y1);
+}
+
+/// The pixels of a row that a tile covers, as indices into the tile and into the window.
+struct Row {
+  std::size_t from, to, width;
+};
+Row row_of(const Window& tile, const Window& window, int y) {
+  const auto width = [](const Window& w) { return static_cast<std::size_t>(w.width()); };
+  return {static_cast<std::size_t>(y - tile.y0) * width(tile),
+          static_cast<std::size_t>(y - window.y0) * width(window) + static_cast<std::size_t>(tile.x0 - window.x0),
+          width(tile)};
+}
+
+/// All words of the tiles, sorted; and for each tile, the places of its own words among them.
+std::vector<taxonomy::Word> united_words(const std::vector<Tile>& tiles,
+                                         std::vector<std::vector<std::uint32_t>>& places) {
+  std::vector<taxonomy::Word> words;
+  for (const Tile& tile : tiles) {
+    std::vector<taxonomy::Word> both;
+    std::ranges::set_union(words, tile.words, std::back_inserter(both));
+    words = std::move(both);
+  }
+  for (const Tile& tile : tiles) {
+    std::vector<std::uint32_t>& place = places.emplace_back();
+    auto at = words.begin();
+    for (const taxonomy::Word& word : tile.words) {
+      at = std::lower_bound(at, words.end(), word);
+      place.push_back(static_cast<std::uint32_t>(at - words.begin()));
+    }
+  }
+  return words;
+}
+
+void add_up_batches(Tile& sum, const std::vector<Tile>& tiles, const std::vector<std::vector<std::uint32_t>>& places) {
+  std::vector<std::array<BatchSum, kBatches>> all(sum.words.size());
+  for (std::size_t t = 0; t < tiles.size(); ++t)
+    for (const BatchSum& found : tiles[t].batch_sums) {
+      BatchSum& batch = all[places[t][found.word]][found.batch];
+      batch.count += found.count;
+      batch.sum += found.sum;
+    }
+  for (std::uint32_t w = 0; w < all.size(); ++w)
+    for (std::uint32_t b = 0; b < kBatches; ++b)
+      if (const BatchSum& batch = all[w][b]; batch.count > 0) sum.batch_sums.push_back({w, b, batch.count, batch.sum});
+}
+
+void add_to_row(std::vector<RgbSum>& sum, const std::vector<RgbSum>& pixels, const Row& row, std::size_t pixel_count) {
+  if (pixels.empty()) return;
+  sum.resize(pixel_count);
+  for (std::size_t i = 0; i < row.width; ++i) sum[row.to + i] += pixels[row.from + i];
+}
+
+/// Sorts the entries of a pixel from `first` on by word and adds up those of the same word.
+void add_up_pixel(std::vector<EntrySum>& entries, std::size_t first) {
+  const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, entries.end(), [](const EntrySum& a, const EntrySum& b) { return a.word < b.word; });
+  std::size_t last = first;
+  for (std::size_t e = first + 1; e < entries.size(); ++e) {
+    if (entries[e].word != entries[last].word) {
+      entries[++last] = entries[e];
+      continue;
+    }
+    entries[last].count = added_counts(entries[last].count, entries[e].count);
+    entries[last].sum += entries[e].sum;
+  }
+  if (first < entries.size()) entries.resize(last + 1);
+}
+
+/// What tells scenes apart: the contents where they are known, whatever the file is called.
+std::string identity_of(const RenderInfo& info) {
+  return info.scene_hash.empty() ? "the scene called " + info.scene : info.scene_hash;
+}
+std::string scene_text(const RenderInfo& info) {
+  return info.scene_hash.empty() ? info.scene : fmt::format("{}, contents {}", info.scene, info.scene_hash);
+}
+
+std::string source_text(const RenderInfo& info) {
+  return info.has_batches ? "a render of this tool" : "an import without batches";
+}
+
+/// The same list, unless they differ: then what either has, in an order that both agree upon.
+std::vector<std::string> either(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  if (a == b) return a;
+  std::vector<std::string> both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  std::ranges::sort(both);
+  both.erase(std::unique(both.begin(), both.end()), both.end());
+  return both;
+}
+
+bool is_partial(const Sums& sums) {
+  const auto all = static_cast<std::uint32_t>(sums.info.samples_per_pixel);
+  return std::ranges::any_of(sums.tile.samples, [&](std::uint32_t taken) { return taken < all; });
+}
+
+Tile added(Tile a, Tile b) {
+  const Window window = a.window;
+  std::vector<Tile> both;
+  both.push_back(std::move(a));
+  both.push_back(std::move(b));
+  return added(window, std::move(both));
+}
+
+}  // namespace
+
+std::uint32_t added_counts(std::uint32_t a, std::uint32_t b) {
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (a > kMost - b) throw std::overflow_error(fmt::format("a pixel has more than {} paths of one word", kMost));
+  return a + b;
+}
+
+void check_alike(const RenderInfo& a, const RenderInfo& b) {
+  const auto check = [](std::string_view what, const auto& first, const auto& second) {
+    if (first != second) throw MergeError(fmt::format("the {} differs: '{}' and '{}'", what, first, second));
+  };
+  if (identity_of(a) != identity_of(b)) check("scene", scene_text(a), scene_text(b));
+  check("algorithm", a.algorithm, b.algorithm);
+  check("size", fmt::format("{}x{}", a.width, a.height), fmt::format("{}x{}", b.width, b.height));
+  check("crop", to_text(a.window), to_text(b.window));
+  check("depth", a.max_depth, b.max_depth);
+  check("sampler", a.sampler, b.sampler);
+  check("filter", a.filter, b.filter);
+  check("tool version", a.version, b.version);
+  check("source", source_text(a), source_text(b));
+}
+
+std::vector<SampleRange> samples_of_both(const RenderInfo& a, const RenderInfo& b) {
+  try {
+    return united(samples_of(a), samples_of(b));
+  } catch (const std::invalid_argument& common) {
+    throw MergeError(fmt::format("both have {}", common.what()));
+  }
+}
+
+Tile added(const Window& window, std::vector<Tile> tiles) {
+  Tile sum;
+  sum.window = window;
+  sum.samples.resize(window.pixel_count());
+  std::vector<std::vector<std::uint32_t>> places;
+  sum.words = united_words(tiles, places);
+  add_up_batches(sum, tiles, places);
+  for (const Tile& tile : tiles) sum.tally += tile.tally;
+
+  std::vector<std::vector<std::size_t>> tiles_of_row(static_cast<std::size_t>(window.height()));
+  std::size_t entry_count = 0;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    entry_count += tiles[t].entries.size();
+    for (int y = tiles[t].window.y0; y < tiles[t].window.y1; ++y)
+      tiles_of_row[static_cast<std::size_t>(y - window.y0)].push_back(t);
+  }
+  sum.entries.reserve(entry_count);
+  sum.offsets.reserve(window.pixel_count() + 1);
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::vector<std::size_t>& here = tiles_of_row[static_cast<std::size_t>(y - window.y0)];
+    for (const std::size_t t : here) {
+      const Row row = row_of(tiles[t].window, window, y);
+      for (std::size_t i = 0; i < row.width; ++i) sum.samples[row.to + i] += tiles[t].samples[row.from + i];
+      add_to_row(sum.ambient, tiles[t].ambient, row, window.pixel_count());
+      add_to_row(sum.phantom, tiles[t].phantom, row, window.pixel_count());
+    }
+    for (int x = window.x0; x < window.x1; ++x) {
+      sum.offsets.push_back(sum.entries.size());
+      int sources = 0;
+      for (const std::size_t t : here) {
+        const Tile& tile = tiles[t];
+        if (x < tile.window.x0 || x >= tile.window.x1) continue;
+        const std::size_t pixel = row_of(tile.window, window, y).from + static_cast<std::size_t>(x - tile.window.x0);
+        for (std::size_t e = tile.offsets[pixel]; e < tile.offsets[pixel + 1]; ++e) {
+          sum.entries.push_back(tile.entries[e]);
+          sum.entries.back().word = places[t][tile.entries[e].word];
+        }
+        ++sources;
+      }
+      if (sources > 1) add_up_pixel(sum.entries, sum.offsets.back());
+    }
+  }
+  sum.offsets.push_back(sum.entries.size());
+  return sum;
+}
+
+Sums merged(Sums a, Sums b) {
+  check_alike(a.info, b.info);
+  RenderInfo info = a.info;
+  set_samples(info, samples_of_both(a.info, b.info));
+  info.scene = std::min(a.info.scene, b.info.scene);
+  info.ignored = either(a.info.ignored, b.info.ignored);
+  Sums sums{std::move(info), added(std::move(a.tile), std::move(b.tile))};
+  sums.info.partial = is_partial(sums);
+  return sums;
+}
+
+Sums completed(Sums begun, std::vector<Tile> rest) {
+  const Window window = begun.info.window;
+  rest.push_back(std::move(begun.tile));
+  Sums sums{std::move(begun.info), added(window, std::move(rest))};
+  sums.info.partial = is_partial(sums);
+  return sums;
+}
+
+std::string doubt_of(const RenderInfo& a, const RenderInfo& b) {
+  for (const SampleRange& first : samples_of(a))
+    for (const SampleRange& second : samples_of(b))
+      if (first.seed == second.seed && first.of != second.of)
+        return fmt::format("{} and {}: with the same seed, some of them may be the same, and count twice",
+                           to_text(first), to_text(second));
+  return {};
+}
+
+Record record_of(Sums sums) {
+  const bool partial = sums.info.partial;
+  Assembler assembler(std::move(sums.info));
+  assembler.submit(std::move(sums.tile));
+  return assembler.finish(partial);
+}
+
+}  // namespace heckbert::record
