@@ -144,6 +144,13 @@ TEST(GrammarStrategies, AreListedForEveryKindOfEnds) {
        "hit the lens                 Ld     El       1\n"
        "hit the light                Le     Ep       1\n"
        "hit the light, hit the lens  Le     El       2\n"},
+      {{"strategies", "LE", "LDE", "LSSE", "LDSDE"},
+       0,
+       "Strategies for  La Ep  La El  Lp Ep  Lp El  Ld Ep  Ld El  Le Ep  Le El\n"
+       "LE                  2      3      1      2      1      2      2      3\n"
+       "LDE                 3      4      2      3      2      3      3      4\n"
+       "LSSE                1      2      0      1      0      1      1      2\n"
+       "LDSDE               3      4      2      3      2      3      3      4\n"},
   });
 }
 

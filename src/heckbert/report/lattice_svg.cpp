@@ -177,7 +177,7 @@ std::string lattice_svg(const taxonomy::Lattice& lattice) {
     const std::string witness = plain(lattice.edges[e].witness);
     const Place place = labels.add({layout.point(from).x, layout.y(from) - kBoxHeight / 2},
                                    {layout.point(to).x, layout.y(to) + kBoxHeight / 2},
-                                   static_cast<double>(display_width(witness)) * kLabelLetter);
+                                   static_cast<double>(display_width(witness)) * kLabelLetter + 4);
     witnesses += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n", place.x, place.y + 4, escaped(witness));
   }
   for (std::size_t i = 0; i < lattice.nodes.size(); ++i) {
