@@ -10,7 +10,6 @@ namespace heckbert::import {
 namespace {
 
 constexpr std::size_t kMaxErrors = 100;
-constexpr std::string_view kSeparators = " ,\t\r\n";
 
 /// Elements that are values; all others that carry a type are objects.
 constexpr std::string_view kValueTags[] = {"float", "integer", "boolean",  "string",    "vector",    "point",
