@@ -112,6 +112,7 @@ TEST(Dialect, PrecedenceAndCountsAreEachDialectsOwn) {
       {Karma, "C(DO|GO)", "E [DGS] La"},
       {VRay, "C.*O & ^CD.*O", "E (.*) La - E D .* La"},
       {VRay, "C.*O - CD.*O", "E .* La - E D .* La"},
+      {VRay, "C.O - CDO - CDO", "E . La - E D La"},
       {VRay, "^C.*", "LE - LE"},
       {VRay, "C<RD>(.+L|.*[OB])", "E Dr (.+ [LaLpLd] | .* [LaLe])"},
   });
