@@ -27,6 +27,7 @@ TEST(RecordFile, GivesBackWhatWasWritten) {
   Record made_up = record_of(MadeUpLight(21), info_for({5, 3, 70, 90}, 7));
   made_up.info.scene = "Szene \"größer\".json";
   made_up.info.partial = true;
+  made_up.info.labels = "object,light-group";
   for (std::size_t i = 0; i < kTallyFields.size(); ++i) made_up.tally.*kTallyFields[i].field = ~std::uint64_t{0} - i;
 
   Record with_non_path = record_of(MadeUpLight(22), info_for({0, 0, 4, 3}, 1));
@@ -177,6 +178,10 @@ TEST(LayerName, IsLegalAndNotTaken) {
       {"2nd bounce", {}, "_2nd_bounce"},
       {"", {}, "_"},
       {"g\xc3\xa9n\xc3\xa9ral", {}, "g__n__ral"},
+      {"Caustic", {"caustic"}, "Caustic_2"},  // file systems of compositors do not tell them apart
+      {"depth", {}, "depth_2"},               // Nuke has a layer of that name
+      {std::string(80, 'D'), {}, std::string(60, 'D')},
+      {std::string(80, 'D'), {std::string(60, 'D')}, std::string(58, 'D') + "_2"},
   };
   for (const Case& c : cases) EXPECT_EQ(layer_name(c.text, c.taken), c.name);
 }

@@ -55,6 +55,19 @@ void expect_within_one_ulp(float sum, float whole) {
   EXPECT_GE(sum, std::nextafter(whole, -std::numeric_limits<float>::infinity()));
 }
 
+TEST(Members, OfManyLanguagesAreThoseOfEach) {
+  const Record& record = made_up_record();
+  std::vector<Language> languages;
+  for (const char* expression : kExpressions) languages.push_back(taxonomy::compile(expression));
+  for (const GlossyRule rule : {GlossyRule::Keep, GlossyRule::Diffuse, GlossyRule::Specular}) {
+    const auto together = members(record, languages, rule);
+    ASSERT_EQ(together.size(), languages.size());
+    for (std::size_t i = 0; i < languages.size(); ++i)
+      EXPECT_EQ(together[i], members(record, languages[i], rule)) << kExpressions[i];
+  }
+  EXPECT_TRUE(members(record, std::vector<Language>{}).empty());
+}
+
 TEST(Image, OfALanguageAndOfItsComplementAddUpToTheBeauty) {
   const Record& record = made_up_record();
   const Image whole = beauty(record);

@@ -148,6 +148,7 @@ TEST(Merge, RefusesWhatDoesNotBelongTogether) {
       {[](RenderInfo& i) { i.max_depth = 3; }, "the depth differs: '12' and '3'"},
       {[](RenderInfo& i) { i.sampler = "random"; }, "the sampler differs: '' and 'random'"},
       {[](RenderInfo& i) { i.filter = "tent 1"; }, "the filter differs: '' and 'tent 1'"},
+      {[](RenderInfo& i) { i.labels = "object"; }, "the label rule differs: '' and 'object'"},
       {[](RenderInfo& i) { i.version = "9"; }, "the tool version differs: '0.1' and '9'"},
       {[](RenderInfo& i) { i.has_batches = false; },
        "the source differs: 'a render of this tool' and 'an import without batches'"},

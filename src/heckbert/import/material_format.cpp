@@ -391,7 +391,7 @@ void read_emission(Reader& in, const JsonNode& node, Emission& out) {
 }
 
 struct MaterialDraft {
-  std::string name;
+  std::string name, label, light_group;
   const JsonNode* type = nullptr;
   const JsonNode* lobes = nullptr;
   Emission emission;
@@ -410,6 +410,9 @@ const std::vector<Key<MaterialDraft>>& material_keys() {
   using D = MaterialDraft;
   static const std::vector<Key<D>> keys{
       key("name", Text{}, &D::name, kRequired, "what shapes call it"),
+      key("label", Text{}, &D::label, "its name", "what words recorded with `--labels material` call it"),
+      key("light_group", Text{}, &D::light_group, "name of the shape",
+          "what words recorded with `--labels light-group` call the light that it emits"),
       key("type", Later{lobe_types().describe()}, &D::type, "from `lobes`",
           "one lobe, whose keys stand beside this one"),
       key("lobes", Later{"list of lobes, at most " + std::to_string(kMaxLobes)}, &D::lobes, "from `type`",
@@ -502,6 +505,8 @@ Material read_material(Reader& in, const JsonNode& node, const Names& media, con
                        std::to_string(material.lobes.size()));
   }
   material.name = draft.name;
+  material.label = draft.label;
+  material.light_group = draft.light_group;
   material.emission = draft.emission.radiance;
   material.emission_sides = draft.emission.sides;
   material.emission_texture = textures.find(in, draft.emission.texture);

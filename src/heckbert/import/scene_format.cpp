@@ -106,12 +106,20 @@ const Choice& light_types() {
   return types;
 }
 
+/// The key that every light without a surface has.
+template <class Light>
+Key<Light> light_group_key() {
+  return key("light_group", Text{}, &Light::light_group, "none",
+             "what words recorded with `--labels light-group` call it");
+}
+
 const std::vector<Key<PointLight>>& point_light_keys() {
   static const std::vector<Key<PointLight>> keys{
       type_key<PointLight>(light_types(), "the kind of light"),
       key("position", Vector{}, &PointLight::position, kRequired, "where it is"),
       key("intensity", Colour{kNotNegative}, &PointLight::intensity, kRequired,
-          "per steradian, the same in every direction")};
+          "per steradian, the same in every direction"),
+      light_group_key<PointLight>()};
   return keys;
 }
 
@@ -124,7 +132,8 @@ const std::vector<Key<SpotLight>>& spot_light_keys() {
       key("cutoff", Number{{0, 180, true}}, &SpotLight::cutoff_degrees, "20",
           "angle from the axis where the light ends, degrees"),
       key("falloff", Number{{0, 180}}, &SpotLight::falloff_degrees, "15",
-          "angle from the axis where it begins to fall, linearly in the angle; at most the cutoff")};
+          "angle from the axis where it begins to fall, linearly in the angle; at most the cutoff"),
+      light_group_key<SpotLight>()};
   return keys;
 }
 
@@ -132,7 +141,8 @@ const std::vector<Key<DistantLight>>& distant_light_keys() {
   static const std::vector<Key<DistantLight>> keys{
       type_key<DistantLight>(light_types(), "the kind of light"),
       key("direction", Vector{}, &DistantLight::direction, kRequired, "in which the light travels, of any length"),
-      key("irradiance", Colour{kNotNegative}, &DistantLight::irradiance, kRequired, "on a surface that faces it")};
+      key("irradiance", Colour{kNotNegative}, &DistantLight::irradiance, kRequired, "on a surface that faces it"),
+      light_group_key<DistantLight>()};
   return keys;
 }
 

@@ -17,7 +17,7 @@ using namespace transport;
 
 /// What the keys of every type of shape fill in; each type reads its own.
 struct ShapeDraft {
-  std::string name;
+  std::string name, label;
   const JsonNode* material = nullptr;
   const JsonNode* transform = nullptr;
 
@@ -209,6 +209,7 @@ const std::vector<Key<ShapeDraft>>& common_keys() {
   using D = ShapeDraft;
   static const std::vector<Key<D>> keys{
       type_key<D>(shape_types(), "the kind of shape"), key("name", Text{}, &D::name, "", "what messages call it"),
+      key("label", Text{}, &D::label, "its name", "what words recorded with `--labels object` call it"),
       key("material", Later{"name of a material"}, &D::material, kRequired, "what it is made of"),
       key("transform", Later{"list of transform steps"}, &D::transform, "`[]`", "applied to the shape")};
   return keys;
@@ -277,7 +278,7 @@ std::optional<Shape> read_shape(Reader& in, const JsonNode& node, const Names& m
   if (in.error_count() != errors_before) {
     return {};
   }
-  return Shape{draft.name, std::move(geometry), material.value_or(0)};
+  return Shape{draft.name, std::move(geometry), material.value_or(0), draft.label};
 }
 
 std::vector<ObjectFacts> shape_format() {

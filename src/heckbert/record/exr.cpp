@@ -22,12 +22,13 @@ namespace heckbert::record::exr {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, std::string RenderInfo::*>, 6> kTexts{{
+constexpr std::array<std::pair<const char*, std::string RenderInfo::*>, 7> kTexts{{
     {"heckbert.scene", &RenderInfo::scene},
     {"heckbert.scene_hash", &RenderInfo::scene_hash},
     {"heckbert.algorithm", &RenderInfo::algorithm},
     {"heckbert.sampler", &RenderInfo::sampler},
     {"heckbert.filter", &RenderInfo::filter},
+    {"heckbert.labels", &RenderInfo::labels},
     {"heckbert.version", &RenderInfo::version},
 }};
 constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{

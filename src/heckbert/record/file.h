@@ -10,6 +10,7 @@
 //
 // Files are written beside their target and renamed, so a failure never leaves half a file (atomic_file.h).
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -33,6 +34,8 @@ Record read_record(const std::filesystem::path& path);
 void write_sums(const Sums& sums, const std::filesystem::path& path);
 /// Errors: ReadError, also for a record without sums.
 Sums read_sums(const std::filesystem::path& path);
+/// Blender cuts the names of channels at 63 characters, ".R" included.
+inline constexpr std::size_t kLongestLayerName = 60;
 
 /// One named picture of a flat multi-layer EXR. The layer with an empty name is the unprefixed R, G, B.
 struct Layer {
@@ -41,15 +44,30 @@ struct Layer {
   std::map<std::string, std::string> attributes;  ///< written as header attributes "<name>.<key>"
 };
 
+/// Four numbers per pixel that are no colour, written as the channels R, G, B and A of a layer.
+struct DataLayer {
+  std::string name;  ///< a legal channel prefix
+  std::vector<std::array<float, 4>> pixels;
+};
+
+/// What a file has beside its pictures.
+struct Attachment {
+  std::vector<DataLayer> layers;
+  std::map<std::string, std::string> attributes;  ///< of the file
+};
+
 /// Floats, bit for bit. All layers share the window `info.window`; names are distinct. Errors: WriteError.
-void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, const std::filesystem::path& path);
+void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, const std::filesystem::path& path,
+                  const Attachment& attachment = {});
 
 /// Reads the layers of a flat EXR, those with channels R, G and B: the unnamed one first, then by name.
 /// Errors: ReadError.
 std::vector<Layer> read_layers(const std::filesystem::path& path);
 
-/// A channel prefix made of `text`: its letters, digits and underscores, everything else turned into '_' ("LS+DE" gives
-/// "LS_DE"), never starting with a digit, with a number appended while the name is among those `taken`.
+/// A channel prefix made of `text` that Nuke and Blender take as it is: its letters, digits and underscores, everything
+/// else turned into '_' ("LS+DE" gives "LS_DE"), never starting with a digit, at most kLongestLayerName characters,
+/// none of the names that Nuke has layers of its own for, with a number appended while the name is among those `taken`,
+/// capital or not.
 std::string layer_name(std::string_view text, const std::vector<std::string>& taken = {});
 
 }  // namespace heckbert::record

@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <heckbert/record/atomic_file.h>
@@ -48,13 +49,34 @@ std::map<std::string, std::string> attributes_of(const Imf::Header& header, cons
   return attributes;
 }
 
+void insert_data(Imf::ChannelList& channels, Imf::FrameBuffer& frame, const DataLayer& layer, const Window& window) {
+  constexpr std::array<const char*, 4> kNames{"R", "G", "B", "A"};
+  using Pixel = std::array<float, 4>;
+  for (std::size_t c = 0; c < kNames.size(); ++c) {
+    const std::string name = prefix_of(layer.name) + kNames[c];
+    const char* first = reinterpret_cast<const char*>(layer.pixels.data()) + c * sizeof(float);
+    channels.insert(name, Imf::Channel(Imf::FLOAT));
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, first, exr::box_of(window), sizeof(Pixel)));
+  }
+}
+
+/// Layers that Nuke makes itself when it starts.
+constexpr std::array<std::string_view, 11> kNamesOfNuke{
+    "rgb", "rgba", "alpha", "depth", "mask", "motion", "forward", "backward", "disparity", "disparityl", "disparityr"};
+
+bool is_same_name(std::string_view a, std::string_view b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return small(x) == small(y); });
+}
+
 bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 }  // namespace
 
-void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, const std::filesystem::path& path) {
+void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, const std::filesystem::path& path,
+                  const Attachment& attachment) {
   exr::writing(path, [&] {
     Imf::Header header = exr::header_for(info);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -65,6 +87,8 @@ void write_layers(const std::vector<Layer>& layers, const RenderInfo& info, cons
       for (const auto& [key, value] : layer.attributes)
         header.insert(attribute_prefix(layer.name) + key, Imf::StringAttribute(value));
     }
+    for (const DataLayer& layer : attachment.layers) insert_data(header.channels(), frame, layer, info.window);
+    for (const auto& [key, value] : attachment.attributes) header.insert(key, Imf::StringAttribute(value));
     AtomicFile target(path);
     exr::OutputStream stream(target.temporary());
     {
@@ -106,9 +130,17 @@ std::string layer_name(std::string_view text, const std::vector<std::string>& ta
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !is_name_character(c); }, '_');
   if (name.empty() || (name.front() >= '0' && name.front() <= '9')) name.insert(name.begin(), '_');
+  name.resize(std::min(name.size(), kLongestLayerName));
   const std::string stem = name;
-  for (int number = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++number)
-    name = fmt::format("{}_{}", stem, number);
+  const auto is_free = [&] {
+    const auto is_it = [&](std::string_view other) { return is_same_name(name, other); };
+    return std::none_of(taken.begin(), taken.end(), is_it) &&
+           std::none_of(kNamesOfNuke.begin(), kNamesOfNuke.end(), is_it);
+  };
+  for (int number = 2; !is_free(); ++number) {
+    const std::string suffix = fmt::format("_{}", number);
+    name = stem.substr(0, kLongestLayerName - suffix.size()) + suffix;
+  }
   return name;
 }
 

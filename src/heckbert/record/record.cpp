@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include <heckbert/taxonomy/classifier.h>
+
 namespace heckbert::record {
 
 namespace {
@@ -62,6 +64,20 @@ std::vector<bool> members(const Record& record, const taxonomy::Language& langua
   const taxonomy::Language finest = taxonomy::apply(rule, language);
   std::vector<bool> chosen(record.words.size());
   for (std::size_t w = 0; w < chosen.size(); ++w) chosen[w] = finest.contains(record.words[w]);
+  return chosen;
+}
+
+std::vector<std::vector<bool>> members(const Record& record, std::span<const taxonomy::Language> languages,
+                                       taxonomy::GlossyRule rule) {
+  std::vector<taxonomy::Language> finest;
+  for (const taxonomy::Language& language : languages) finest.push_back(taxonomy::apply(rule, language));
+  const taxonomy::Classifier classifier(finest);
+  std::vector<std::vector<bool>> chosen(finest.size(), std::vector<bool>(record.words.size()));
+  for (std::size_t w = 0; w < record.words.size(); ++w) {
+    const taxonomy::Membership membership = classifier.classify(record.words[w]);
+    for (std::size_t i = 0; i < finest.size(); ++i)
+      if (membership[i]) chosen[i][w] = true;
+  }
   return chosen;
 }
 

@@ -48,6 +48,7 @@ struct RenderInfo {
   bool has_batches = true;
   int max_depth = 0;                   ///< most scatterings per path
   bool partial = false;                ///< interrupted: some pixels have no samples
+  std::string labels{};                ///< what letters are labelled with, "object,light-group"; empty: nothing
   std::string version{};               ///< of the tool
   std::vector<std::string> ignored{};  ///< what the scene's file says and was not used, in sentences with their places
   bool operator==(const RenderInfo&) const = default;
@@ -144,6 +145,10 @@ struct Image {
 /// By word of the record: is it in the language? `rule` says what the language's letters mean for glossy events.
 std::vector<bool> members(const Record& record, const taxonomy::Language& language,
                           taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
+
+/// The same for many languages at once, by language: the words are walked once for all of them.
+std::vector<std::vector<bool>> members(const Record& record, std::span<const taxonomy::Language> languages,
+                                       taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
 
 /// The sum of all words at every pixel. O(entries).
 Image beauty(const Record& record);

@@ -10,53 +10,27 @@ namespace heckbert::record {
 
 namespace {
 
-using Series = std::vector<double>;  // one value per batch in use
-
-/// The numbers of the batches that have samples.
-std::vector<std::size_t> batches_of(const Record& record) {
-  const auto sizes = batch_sizes(record.info);
-  std::vector<std::size_t> batches;
-  for (std::size_t b = 0; b < kBatches; ++b)
-    if (sizes[b] > 0) batches.push_back(b);
-  return batches;
-}
-
 /// Luminance of the picture mean, as each batch alone estimates it.
-Series luminance_by_batch(const Record& record, const std::vector<bool>& chosen) {
+BatchSeries luminance_by_batch(const Record& record, const std::vector<bool>& chosen) {
   assert(chosen.size() == record.words.size());
-  const std::vector<std::size_t> batches = batches_of(record);
-  Series series(batches.size());
+  BatchSeries series{};
   for (std::size_t w = 0; w < chosen.size(); ++w) {
     if (!chosen[w]) continue;
     for (std::size_t b = 0; b < series.size(); ++b)
-      series[b] += static_cast<double>(luminance(record.batch_means[w * kBatches + batches[b]]));
+      series[b] += static_cast<double>(luminance(record.batch_means[w * kBatches + b]));
   }
   return series;
 }
 
 /// The fraction of the samples that each batch holds.
-Series batch_weights(const Record& record) {
-  const auto sizes = batch_sizes(record.info);
-  Series weights;
-  for (const std::size_t b : batches_of(record))
-    weights.push_back(static_cast<double>(sizes[b]) / record.info.samples_per_pixel);
+BatchSeries batch_weights(const RenderInfo& info) {
+  const auto sizes = batch_sizes(info);
+  BatchSeries weights{};
+  for (std::size_t b = 0; b < weights.size(); ++b) weights[b] = static_cast<double>(sizes[b]) / info.samples_per_pixel;
   return weights;
 }
 
-double weighted_mean(const Series& values, const Series& weights) {
-  double sum = 0;
-  for (std::size_t b = 0; b < values.size(); ++b) sum += weights[b] * values[b];
-  return sum;
-}
-
-/// Standard error of the weighted mean of independent batches. A batch of n samples has variance s^2 / n, so the
-/// weighted squares, not the plain ones, estimate s^2 without bias when batches differ in size.
-double standard_error(const Series& values, const Series& weights) {
-  const double mean = weighted_mean(values, weights);
-  double squares = 0;
-  for (std::size_t b = 0; b < values.size(); ++b) squares += weights[b] * (values[b] - mean) * (values[b] - mean);
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 Estimate exactly(double mean) {
   return {mean, 0, mean, mean, true};
@@ -66,8 +40,7 @@ Estimate unknown_spread(double mean) {
 }
 
 /// `most` is a bound that the true value cannot exceed; none is below zero.
-Estimate with_interval(double mean, double error, std::size_t batches, double confidence, double most) {
-  const double half = student_quantile(0.5 + confidence / 2, static_cast<int>(batches) - 1) * error;
+Estimate with_half_width(double mean, double error, double half, double most) {
   return {mean, error, std::max(mean - half, 0.0), std::min(mean + half, most), true};
 }
 
@@ -92,23 +65,60 @@ double student_central_probability(double angle, int degrees) {
 
 }  // namespace
 
+BatchStatistics::BatchStatistics(const RenderInfo& info, double confidence) : weights_(batch_weights(info)) {
+  for (const double weight : weights_) batches_ += weight > 0 ? 1 : 0;
+  if (batches_ > 1) quantile_ = student_quantile(0.5 + confidence / 2, batches_ - 1);
+}
+
+double BatchStatistics::mean(const BatchSeries& values) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < values.size(); ++b) sum += weights_[b] * values[b];
+  return sum;
+}
+
+/// Standard error of the weighted mean of independent batches. A batch of n samples has variance s^2 / n, so the
+/// weighted squares, not the plain ones, estimate s^2 without bias when batches differ in size.
+double BatchStatistics::standard_error(const BatchSeries& values) const {
+  const double m = mean(values);
+  double squares = 0;
+  for (std::size_t b = 0; b < values.size(); ++b) squares += weights_[b] * (values[b] - m) * (values[b] - m);
+  return std::sqrt(squares / (batches_ - 1));
+}
+
+Estimate BatchStatistics::with_interval(double mean, double error, double most) const {
+  return with_half_width(mean, error, quantile_ * error, most);
+}
+
+Estimate BatchStatistics::energy(const BatchSeries& values) const {
+  const double m = mean(values);
+  if (batches_ < 2) return unknown_spread(m);
+  return with_interval(m, standard_error(values), kNoBound);
+}
+
+Estimate BatchStatistics::share(const BatchSeries& part, const BatchSeries& whole, double most) const {
+  const double total = mean(whole);
+  if (total <= 0 || part == BatchSeries{}) return exactly(0);
+  if (part == whole) return exactly(1);
+  const double ratio = mean(part) / total;
+  if (batches_ < 2) return unknown_spread(ratio);
+  // Delta method: the ratio errs like the mean of these residuals over the whole.
+  BatchSeries residuals;
+  for (std::size_t b = 0; b < residuals.size(); ++b) residuals[b] = part[b] - ratio * whole[b];
+  return with_interval(ratio, standard_error(residuals) / total, most);
+}
+
 Estimate energy(const Record& record, const std::vector<bool>& chosen, double confidence) {
-  const Series values = luminance_by_batch(record, chosen), weights = batch_weights(record);
-  const double mean = weighted_mean(values, weights);
-  if (values.size() < 2) return unknown_spread(mean);
-  return with_interval(mean, standard_error(values, weights), values.size(), confidence,
-                       std::numeric_limits<double>::infinity());
+  return BatchStatistics(record.info, confidence).energy(luminance_by_batch(record, chosen));
 }
 
 Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
   assert(chosen.size() == record.words.size());
-  const std::vector<std::size_t> batches = batches_of(record);
-  const Series weights = batch_weights(record);
+  const BatchSeries weights = batch_weights(record.info);
   double red = 0, green = 0, blue = 0;
   for (std::size_t w = 0; w < chosen.size(); ++w) {
     if (!chosen[w]) continue;
     for (std::size_t b = 0; b < weights.size(); ++b) {
-      const Rgb mean = record.batch_means[w * kBatches + batches[b]];
+      const Rgb mean = record.batch_means[w * kBatches + b];
       red += weights[b] * static_cast<double>(mean.r);
       green += weights[b] * static_cast<double>(mean.g);
       blue += weights[b] * static_cast<double>(mean.b);
@@ -118,18 +128,9 @@ Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
 }
 
 Estimate share(const Record& record, const std::vector<bool>& part, const std::vector<bool>& whole, double confidence) {
-  const Series parts = luminance_by_batch(record, part), wholes = luminance_by_batch(record, whole);
-  const Series weights = batch_weights(record);
-  const double total = weighted_mean(wholes, weights);
-  if (total <= 0 || part == std::vector<bool>(part.size())) return exactly(0);
-  if (part == whole) return exactly(1);
-  const double ratio = weighted_mean(parts, weights) / total;
-  if (parts.size() < 2) return unknown_spread(ratio);
-  // Delta method: the ratio errs like the mean of these residuals over the whole.
-  Series residuals(parts.size());
-  for (std::size_t b = 0; b < residuals.size(); ++b) residuals[b] = parts[b] - ratio * wholes[b];
-  const double most = is_subset(part, whole) ? 1 : std::numeric_limits<double>::infinity();
-  return with_interval(ratio, standard_error(residuals, weights) / total, parts.size(), confidence, most);
+  return BatchStatistics(record.info, confidence)
+      .share(luminance_by_batch(record, part), luminance_by_batch(record, whole),
+             is_subset(part, whole) ? 1 : kNoBound);
 }
 
 Estimate cut_off(const Tally& tally, double confidence) {
@@ -139,8 +140,8 @@ Estimate cut_off(const Tally& tally, double confidence) {
   if (tally.samples < 2) return unknown_spread(mean);
   const double error = std::sqrt(std::max(mean_of(tally.cut_off_squares, n) - mean * mean, 0.0) / (n - 1));
   constexpr std::uint64_t kNearlyNormal = 10000;  // a Student quantile costs a loop over its degrees of freedom
-  return with_interval(mean, error, std::min(tally.samples, kNearlyNormal), confidence,
-                       std::numeric_limits<double>::infinity());
+  const int degrees = static_cast<int>(std::min(tally.samples, kNearlyNormal)) - 1;
+  return with_half_width(mean, error, student_quantile(0.5 + confidence / 2, degrees) * error, kNoBound);
 }
 
 double student_quantile(double probability, int degrees) {

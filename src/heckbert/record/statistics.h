@@ -4,6 +4,7 @@
 // (batch means: Law and Kelton, "Simulation Modeling and Analysis", 9.5.3). Energies are luminance unless said
 // otherwise.
 
+#include <array>
 #include <vector>
 
 #include <heckbert/record/record.h>
@@ -17,6 +18,29 @@ struct Estimate {
   double standard_error = 0;
   double lower = 0, upper = 0;
   bool known = true;
+};
+
+/// Luminance of the picture mean, as each batch alone estimates it; batches not in use are zero.
+using BatchSeries = std::array<double, kBatches>;
+
+/// Estimates from batches at one confidence; what all of them share is computed once.
+class BatchStatistics {
+ public:
+  BatchStatistics(const RenderInfo& info, double confidence);
+  Estimate energy(const BatchSeries& values) const;
+  /// A ratio estimate, at most `most`. 0 when the whole is dark.
+  Estimate share(const BatchSeries& part, const BatchSeries& whole, double most = 1) const;
+  int batches() const { return batches_; }
+  double quantile() const { return quantile_; }  ///< of Student's t for the interval; 0 with one batch
+
+ private:
+  double mean(const BatchSeries& values) const;
+  double standard_error(const BatchSeries& values) const;
+  Estimate with_interval(double mean, double error, double most) const;
+
+  BatchSeries weights_{};  ///< the fraction of the samples that each batch holds
+  int batches_ = 0;        ///< in use
+  double quantile_ = 0;
 };
 
 /// Picture-mean luminance of the chosen words, with its interval at `confidence`.

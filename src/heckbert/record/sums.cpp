@@ -135,6 +135,7 @@ void check_alike(const RenderInfo& a, const RenderInfo& b) {
   check("depth", a.max_depth, b.max_depth);
   check("sampler", a.sampler, b.sampler);
   check("filter", a.filter, b.filter);
+  check("label rule", a.labels, b.labels);
   check("tool version", a.version, b.version);
   check("source", source_text(a), source_text(b));
 }

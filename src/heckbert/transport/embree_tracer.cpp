@@ -57,6 +57,7 @@ struct alignas(64) Face {
 /// A placed shape: what the shading of a hit needs, found by instance and geometry id.
 struct Placed {
   const Shape* shape = nullptr;
+  std::uint32_t number = 0;     ///< as Hit::shape
   const Face* faces = nullptr;  ///< of a mesh
   bool is_moved = false;        ///< `to_world` is not the identity
   glm::mat4 to_world{1};
@@ -92,7 +93,7 @@ struct Tracer::Impl {
   Impl& operator=(const Impl&) = delete;
 
   void attach(RTCScene target, const Scene& source, const Shape& shape);
-  void place(const Scene& source, const Shape& shape, const glm::mat4& to_world);
+  void place(const Scene& source, const Shape& shape, std::uint32_t number, const glm::mat4& to_world);
   void commit(RTCScene target) const;
   const Placed& placed_at(const RTCHit& hit) const {
     const bool instanced = hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
@@ -271,12 +272,16 @@ Tracer::Impl::Impl(const Scene& source) {
   };
 
   scene = new_scene();
+  std::uint32_t number = 0;  // of the next shape
   for (const Shape& shape : source.shapes) {
     attach(scene.get(), source, shape);
-    place(source, shape, glm::mat4(1));
+    place(source, shape, number++, glm::mat4(1));
   }
-  top_level_shapes = static_cast<std::uint32_t>(source.shapes.size());
+  top_level_shapes = number;
+  std::vector<std::uint32_t> first_of_group;
   for (const Group& group : source.groups) {
+    first_of_group.push_back(number);
+    number += static_cast<std::uint32_t>(group.shapes.size());
     group_scenes.push_back(new_scene());
     for (const Shape& shape : group.shapes) attach(group_scenes.back().get(), source, shape);
     commit(group_scenes.back().get());
@@ -291,7 +296,8 @@ Tracer::Impl::Impl(const Scene& source) {
     rtcAttachGeometry(scene.get(), geometry);
     rtcReleaseGeometry(geometry);
     first_of_instance.push_back(static_cast<std::uint32_t>(placed.size()));
-    for (const Shape& shape : source.groups[instance.group].shapes) place(source, shape, instance.to_world);
+    std::uint32_t of_group = first_of_group[instance.group];
+    for (const Shape& shape : source.groups[instance.group].shapes) place(source, shape, of_group++, instance.to_world);
   }
   commit(scene.get());
 }
@@ -331,9 +337,10 @@ void Tracer::Impl::attach(RTCScene target, const Scene& source, const Shape& sha
   rtcReleaseGeometry(geometry);
 }
 
-void Tracer::Impl::place(const Scene& source, const Shape& shape, const glm::mat4& to_world) {
+void Tracer::Impl::place(const Scene& source, const Shape& shape, std::uint32_t number, const glm::mat4& to_world) {
   Placed p;
   p.shape = &shape;
+  p.number = number;
   p.to_world = to_world;
   p.is_moved = to_world != glm::mat4(1);
   if (const auto found = faces.find(&shape); found != faces.end()) p.faces = found->second.data();
@@ -348,6 +355,7 @@ void Tracer::Impl::place(const Scene& source, const Shape& shape, const glm::mat
     if (p.emitters.empty()) p.emitters.assign(primitives, kNoEmitter);
     for (std::size_t i = first; i < first + count; ++i) p.emitters[i] = static_cast<std::uint32_t>(emitters.size());
     emitters.push_back(e);
+    emitters.back().shape = number;
   };
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
     const auto corner = [&](std::size_t triangle, int i) {
@@ -441,6 +449,7 @@ std::optional<Hit> Tracer::intersect(const Ray& ray, float farthest) const {
 
   const Placed& p = impl_->placed_at(query.hit);
   Hit& hit = met.emplace();
+  hit.shape = p.number;
   if (const auto* mesh = std::get_if<Mesh>(&p.shape->geometry)) {
     const Face& face = p.faces[query.hit.primID];
     const float u = query.hit.u, v = query.hit.v;

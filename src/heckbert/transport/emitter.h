@@ -26,7 +26,8 @@ struct Emitter {
   float area = 0;
   float error = 0;  ///< as Hit::error, for a shadow ray that ends here
   std::uint32_t material = 0;
-  Rectangle rectangle{};  ///< the same once more, for drawing by solid angle
+  std::uint32_t shape = 0;  ///< as Hit::shape
+  Rectangle rectangle{};    ///< the same once more, for drawing by solid angle
 };
 
 /// Counter-clockwise seen from the front.

@@ -41,7 +41,7 @@ LightSample from_point(const std::optional<DeltaSample>& delta, glm::vec3 positi
 }  // namespace
 
 Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer_(tracer), environment_(scene) {
-  using Type = Source::Type;
+  using Type = LightSource::Type;
   std::vector<LightBounds> near;
   const auto& emitters = tracer.emitters();
   const std::vector<float> emissions = mean_emissions(scene);
@@ -131,13 +131,16 @@ LightSample Lights::sample(glm::vec3 from, Sampler& sampler) const {
   if (empty()) return {};
   const Choice choice = only_ ? Choice{*only_, 1} : choose(from, sampler.next_fine());
   const glm::vec2 u = sampler.next2();
-  return choice.probability > 0 ? sample_source(choice, from, u) : LightSample{};
+  if (!(choice.probability > 0)) return {};
+  LightSample sample = sample_source(choice, from, u);
+  sample.source = choice.source;
+  return sample;
 }
 
 LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec2 u) const {
   const auto [source, probability] = choice;
   switch (source.type) {
-    case Source::Type::Emitter: {
+    case LightSource::Type::Emitter: {
       const Emitter& e = tracer_.emitters()[source.index];
       const SurfaceSample surface = sample_surface(e, from, u);
       const glm::vec3 d = surface.position - from;
@@ -154,15 +157,15 @@ LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec
               .pdf_solid_angle = probability * surface.pdf_solid_angle,
               .to_be_met = material.opacity || material.emission_texture ? source.index : kNoEmitter};
     }
-    case Source::Type::Point: {
+    case LightSource::Type::Point: {
       const PointLight& light = scene_.point_lights[source.index];
       return from_point(sample_delta(light, from), light.position, probability);
     }
-    case Source::Type::Spot: {
+    case LightSource::Type::Spot: {
       const SpotLight& light = scene_.spot_lights[source.index];
       return from_point(sample_delta(light, from), light.position, probability);
     }
-    case Source::Type::Distant: {
+    case LightSource::Type::Distant: {
       const DeltaSample delta = sample_delta(scene_.distant_lights[source.index]);
       return {.kind = Symbol::Ld,
               .direction = delta.direction,
@@ -171,7 +174,7 @@ LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec
               .pdf_solid_angle = probability,
               .is_delta = true};
     }
-    case Source::Type::Environment: {
+    case LightSource::Type::Environment: {
       const EnvironmentSample sky = environment_.sample(u);
       if (is_black(sky.radiance)) return {};
       return {.kind = Symbol::Le,

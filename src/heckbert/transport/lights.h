@@ -16,6 +16,14 @@
 
 namespace heckbert::transport {
 
+/// One light of a scene: a piece of an area light by its number among the tracer's emitters, another light by its place
+/// in the scene's list of its type.
+struct LightSource {
+  enum class Type : std::uint8_t { Emitter, Point, Spot, Distant, Environment } type = Type::Emitter;
+  std::uint32_t index = 0;
+};
+inline constexpr std::size_t kLightSourceTypes = 5;
+
 struct LightSample {
   taxonomy::Symbol kind = taxonomy::Symbol::La;
   glm::vec3 direction{0};  ///< unit, from the shaded point to the light
@@ -30,6 +38,7 @@ struct LightSample {
   /// A light whose surface has holes or a texture: the shadow ray must meet this very emitter, not just reach `target`,
   /// and what it emits there takes the place of `radiance`.
   std::uint32_t to_be_met = kNoEmitter;
+  LightSource source{};
 };
 
 class Lights {
@@ -50,14 +59,10 @@ class Lights {
   bool has_environment() const { return !environment_.is_black(); }
 
  private:
-  struct Source {
-    enum class Type : std::uint8_t { Emitter, Point, Spot, Distant, Environment } type;
-    std::uint32_t index;
-  };
   /// Without its texture.
   Rgb emitted(std::uint32_t material, bool front) const;
   struct Choice {
-    Source source{};
+    LightSource source{};
     float probability = 0;  ///< 0: no light
   };
   Choice choose(glm::vec3 from, double u) const;
@@ -66,12 +71,12 @@ class Lights {
   const Scene& scene_;
   const Tracer& tracer_;
   Environment environment_;
-  std::vector<Source> near_;            ///< those with a place; emitters first, in the tracer's order
-  std::vector<Source> far_;             ///< those infinitely far away; the environment last
+  std::vector<LightSource> near_;       ///< those with a place; emitters first, in the tracer's order
+  std::vector<LightSource> far_;        ///< those infinitely far away; the environment last
   std::optional<LightTree> near_tree_;  ///< over near_, when there are many
   DiscreteDistribution near_choice_;    ///< by power otherwise
   DiscreteDistribution groups_;         ///< all of near_, then each of far_
-  std::optional<Source> only_;          ///< where there is nothing to choose
+  std::optional<LightSource> only_;     ///< where there is nothing to choose
 };
 
 }  // namespace heckbert::transport

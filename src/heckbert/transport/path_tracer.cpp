@@ -101,28 +101,30 @@ Continuation follow(const Vertex& vertex, Sampler& sampler) {
 }
 
 /// Next-event estimation at a particle where the ray ends.
-void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, float anisotropy,
+void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, const Medium& medium,
                               taxonomy::WordTrie::Node node, Rgb throughput) {
   const LightSample light = world.lights.sample(ray.origin, walk.sampler);
   if (!(light.pdf_solid_angle > 0)) return;
-  const float value = phase(anisotropy, glm::dot(ray.direction, light.direction));
+  const float value = phase(medium.anisotropy, glm::dot(ray.direction, light.direction));
   const Rgb incident = arriving(world, walk, walk.bodies, ray.origin, light);
   if (is_black(incident)) return;
   const float weight = (light.is_delta ? 1.0f : power_heuristic(light.pdf_solid_angle, value)) * value;
-  walk.found.push_back({walk.step(walk.step(node, Symbol::V), light.kind),
-                        throughput * incident * (weight / light.pdf_solid_angle), record::Technique::NextEvent});
+  const taxonomy::WordTrie::Node scattered = walk.step(node, Symbol::V, world.labels.particle(medium));
+  walk.find({walk.step(scattered, light.kind, world.labels.light(light.source)),
+             throughput * incident * (weight / light.pdf_solid_angle), record::Technique::NextEvent},
+            light);
 }
 
 /// What happens at a particle where the ray ends: light is gathered, and the path goes on.
 Continuation scatter_at_particle(const World& world, Walk& walk, const Ray& ray, taxonomy::WordTrie::Node node,
                                  Rgb throughput) {
-  const float anisotropy = walk.bodies.medium(world.scene)->anisotropy;
-  if (world.next_event_estimation) gather_light_at_particle(world, walk, ray, anisotropy, node, throughput);
-  const glm::vec3 direction = sample_phase(anisotropy, ray.direction, walk.sampler.next2());
+  const Medium& medium = *walk.bodies.medium(world.scene);
+  if (world.next_event_estimation) gather_light_at_particle(world, walk, ray, medium, node, throughput);
+  const glm::vec3 direction = sample_phase(medium.anisotropy, ray.direction, walk.sampler.next2());
   return {.ray = {ray.origin, direction},
           .event = Symbol::V,
           .factor = Rgb(1.0f),
-          .pdf_solid_angle = phase(anisotropy, glm::dot(ray.direction, direction))};
+          .pdf_solid_angle = phase(medium.anisotropy, glm::dot(ray.direction, direction))};
 }
 
 /// The same at a surface.
@@ -151,18 +153,22 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
     const auto [hit, scattered] = travel(world, walk, ray, throughput);
     if (is_black(throughput)) return end(PathEnd::Absorbed);
     if (!hit && !scattered) {
+      walk.arrive(depth, {ray.direction, throughput, true});
       const Rgb sky = world.lights.environment(ray.direction);
       if (!is_black(sky)) {
         const float weight =
             pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_environment(ray.direction)) : 1.0f;
-        add_hit(walk, node, Symbol::Le, throughput * sky * weight);
+        add_hit(walk, node, Symbol::Le, world.labels.light({LightSource::Type::Environment, 0}),
+                throughput * sky * weight);
       }
       return end(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
+    walk.arrive(depth, {hit ? hit->position : ray.origin, throughput});
     if (const Rgb emitted = hit ? world.lights.emitted(*hit) : Rgb{}; !is_black(emitted)) {
       const float weight =
           pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_solid_angle(*hit, previous)) : 1.0f;
-      add_hit(walk, node, Symbol::La, throughput * emitted * weight);
+      add_hit(walk, node, Symbol::La, world.labels.light({LightSource::Type::Emitter, hit->emitter}),
+              throughput * emitted * weight);
     }
     if (depth == world.max_depth) {
       end(PathEnd::DepthLimit);
@@ -180,7 +186,9 @@ void trace_path(const World& world, Walk& walk, Ray ray) {
       if (walk.sampler.next() >= survival) return end(PathEnd::Roulette);
       throughput *= 1.0f / survival;
     }
-    node = walk.step(node, next.event);
+    const Labels::Id label =
+        scattered ? world.labels.particle(*walk.bodies.medium(world.scene)) : world.labels.surface(*hit);
+    node = walk.step(node, next.event, label);
     pdf_arrival = world.next_event_estimation ? next.pdf_solid_angle : 0.0f;
     previous = scattered ? ray.origin : hit->position;
     if (next.transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);

@@ -37,10 +37,12 @@ class Tree {
     const std::optional<Hit> hit = travel(world_, walk_, branch.ray, branch.weight, Particles::Dim).hit;
     branch.bodies = walk_.bodies;
     if (!hit) {
-      add(branch, Symbol::Le, world_.lights.environment(branch.ray.direction));
+      walk_.arrive(branch.depth, {branch.ray.direction, branch.weight, true});
+      add(branch, Symbol::Le, {LightSource::Type::Environment, 0}, world_.lights.environment(branch.ray.direction));
       return end(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
-    add(branch, Symbol::La, world_.lights.emitted(*hit));
+    walk_.arrive(branch.depth, {hit->position, branch.weight});
+    add(branch, Symbol::La, {LightSource::Type::Emitter, hit->emitter}, world_.lights.emitted(*hit));
     const Vertex vertex = vertex_at(world_, walk_, *hit, branch.ray.direction);
     add_ambient(branch, vertex);
     if (branch.depth != world_.max_depth) return go_on(branch, vertex);
@@ -68,12 +70,12 @@ class Tree {
     if (!spawned) end(PathEnd::Absorbed);
   }
 
-  void add(const Branch& branch, Symbol light, Rgb radiance) {
+  void add(const Branch& branch, Symbol kind, LightSource light, Rgb radiance) {
     if (is_black(radiance)) return;
     if (branch.phantom)
       walk_.sink.add_non_path(NonPath::Phantom, branch.weight * radiance);
     else
-      add_hit(walk_, branch.node, light, branch.weight * radiance);
+      add_hit(walk_, branch.node, kind, world_.labels.light(light), branch.weight * radiance);
   }
 
   void add_ambient(const Branch& branch, const Vertex& vertex) {
@@ -104,13 +106,14 @@ class Tree {
 
   bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted) {
     if (is_black(child.weight)) return false;
-    Branch next{.ray = vertex.leave(child.wi, transmitted),
-                .node = parent.phantom ? parent.node : walk_.step(parent.node, child.event),
-                .weight = parent.weight * child.weight,
-                .radiance_scale = parent.radiance_scale * child.radiance_scale,
-                .depth = parent.depth + 1,
-                .phantom = parent.phantom,
-                .bodies = parent.bodies};
+    Branch next{
+        .ray = vertex.leave(child.wi, transmitted),
+        .node = parent.phantom ? parent.node : walk_.step(parent.node, child.event, world_.labels.surface(vertex.hit)),
+        .weight = parent.weight * child.weight,
+        .radiance_scale = parent.radiance_scale * child.radiance_scale,
+        .depth = parent.depth + 1,
+        .phantom = parent.phantom,
+        .bodies = parent.bodies};
     if (transmitted && world_.has_bodies) next.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     descend(next);
     return true;

@@ -17,9 +17,8 @@
 #include <heckbert/record/recorder.h>
 #include <heckbert/transport/filter.h>
 #include <heckbert/transport/material.h>
-#include <heckbert/transport/path_tracer.h>
-#include <heckbert/transport/recursive_tracer.h>
 #include <heckbert/transport/scene_hash.h>
+#include <heckbert/transport/stage.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -80,17 +79,6 @@ std::vector<Window> tiles_of(const Window& window) {
   return tiles;
 }
 
-void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
-  switch (algorithm) {
-    case AlgorithmId::Path:
-      return trace_path(world, walk, ray);
-    case AlgorithmId::Whitted:
-      return trace_recursively(world, walk, ray, {.glossy_highlights = true, .mirror_at_diffuse = false});
-    case AlgorithmId::Lecture:
-      return trace_recursively(world, walk, ray, {.glossy_highlights = false, .mirror_at_diffuse = true});
-  }
-}
-
 /// Tells the listener how far the render is, not more often than it can be read.
 class ProgressMeter {
  public:
@@ -128,18 +116,8 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const int threads =
       settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  const Tracer tracer(scene);
-  const Lights lights(scene, tracer);
-  const Eye eye(scene.camera, settings.width, settings.height, settings.filter);
-  const bool bodies = has_bodies(scene);
-  const World world{scene,
-                    tracer,
-                    lights,
-                    eye,
-                    settings.max_depth,
-                    bodies,
-                    bodies ? bodies_at(scene, tracer, scene.camera.position) : Bodies{},
-                    settings.next_event_estimation};
+  const Stage stage(scene, settings);
+  const World& world = stage.world();
 
   const Window window = picture_window(settings);
   const std::vector<Window> tiles = tiles_of(window);
@@ -164,6 +142,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const auto work = [&](const tbb::blocked_range<int>&) {
     auto worker = make_worker();
     record::PathSink& sink = worker.sink();
+    world.labels.number_in(sink.words());
     std::vector<record::Contribution> found;
     const auto trace_sample = [&](const SamplePlan& plan, int x, int y, int sample) {
       Walk walk{.sink = sink,
@@ -173,7 +152,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
                 .bodies = world.bodies_at_eye};
       sink.begin_sample(x, y, sample);
       found.clear();
-      trace(world, walk, eye.ray(x, y, walk.sampler), settings.algorithm);
+      trace(world, walk, world.eye.ray(x, y, walk.sampler), settings.algorithm);
       sink.add(found);
       if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
       return walk.rays;
@@ -238,6 +217,7 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings) {
       .height = settings.height,
       .window = picture_window(settings),
       .max_depth = settings.max_depth,
+      .labels = write(settings.labels),
       .version = HECKBERT_VERSION,
   };
   set_samples(info, {samples_of(settings)});

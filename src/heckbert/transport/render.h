@@ -11,6 +11,7 @@
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/recorder.h>
 #include <heckbert/record/sample_map.h>
+#include <heckbert/transport/label_rule.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
@@ -47,6 +48,7 @@ struct RenderSettings {
   std::optional<record::SampleMap> sample_map{};  ///< for the window; unset: every pixel once
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;
+  LabelRule labels{};  ///< nothing
 };
 
 struct Progress {

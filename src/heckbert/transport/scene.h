@@ -222,6 +222,8 @@ struct Material {
   /// The surface is the boundary of its interior and nothing else: light goes straight through, and no letter tells of
   /// it. Without lobes and emission.
   bool is_index_matched = false;
+  std::string label{};        ///< what words call it; empty: the name
+  std::string light_group{};  ///< of the light that it emits; empty: see label_rule.h
 };
 
 inline constexpr std::size_t kMaxLobes = 8;
@@ -256,6 +258,7 @@ struct Shape {
   std::string name{};
   Geometry geometry{};
   std::uint32_t material = 0;  ///< index into Scene::materials
+  std::string label{};         ///< what words call it; empty: the name
 };
 
 /// A group of shapes placed by a transform, traced as an Embree instance. Emitters inside groups are lights like any.
@@ -280,6 +283,7 @@ Mesh make_box(glm::vec3 low, glm::vec3 high, bool inward = false);
 struct PointLight {
   glm::vec3 position{0};
   Rgb intensity{1.0f};
+  std::string light_group{};  ///< empty: none
 };
 
 /// A point light that shines into a cone: full intensity up to `falloff_degrees` from the axis, from there falling
@@ -290,12 +294,14 @@ struct SpotLight {
   Rgb intensity{1.0f};            ///< on the axis, W sr^-1
   float cutoff_degrees = 20;      ///< half the opening angle, above 0, at most 180
   float falloff_degrees = 15;     ///< from 0 to cutoff_degrees; equal to it: a hard edge
+  std::string light_group{};      ///< empty: none
 };
 
 /// Parallel light from infinitely far away, such as the sun's without its disk. Letter d.
 struct DistantLight {
   glm::vec3 direction{0, -1, 0};  ///< in which the light travels; of any length
   Rgb irradiance{1.0f};           ///< on a surface that faces it, W m^-2
+  std::string light_group{};      ///< empty: none
 };
 
 enum class Interpolation : std::uint8_t { Nearest, Bilinear };

@@ -35,6 +35,7 @@ struct Hit {
   bool front = true;           ///< the ray came from the front
   float error = 0;             ///< distance in scene units by which a ray leaving here must clear the surface
   std::uint32_t material = 0;
+  std::uint32_t shape = 0;             ///< number of the shape: those of the scene, then those of its groups
   std::uint32_t emitter = kNoEmitter;  ///< index into Tracer's emitters, when the surface emits
   bool has_coordinates = false;        ///< the material asks for texture coordinates: the following are set
   glm::vec2 uv;

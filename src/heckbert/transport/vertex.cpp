@@ -29,7 +29,7 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
   return occluded ? Rgb{} : light.radiance;
 }
 
-/// Next-event estimation without words: calls per_lobe(event, light kind, value) for each lobe that sends light back.
+/// Next-event estimation without words: calls per_lobe(event, light, value) for each lobe that sends light back.
 template <class PerLobe>
 void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule,
                            PerLobe per_lobe) {
@@ -51,7 +51,7 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
   for (std::size_t i = 0; i < lobes.size(); ++i) {
     if (is_black(values.f[i])) continue;
     const taxonomy::Symbol event = letter(lobes[i], transmitted);
-    if (rule.glossy || taxonomy::facts(event).letter == 'D') per_lobe(event, light.kind, values.f[i] * incident);
+    if (rule.glossy || taxonomy::facts(event).letter == 'D') per_lobe(event, light, values.f[i] * incident);
   }
 }
 
@@ -125,20 +125,25 @@ Vertex::Values Vertex::values(glm::vec3 wi) const {
 
 void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
                          Rgb throughput, const DirectLight& rule) {
-  estimate_direct_light(world, walk, vertex, rule, [&](taxonomy::Symbol event, taxonomy::Symbol kind, Rgb value) {
-    walk.found.push_back({walk.step(walk.step(node, event), kind), throughput * value, record::Technique::NextEvent});
-  });
+  const Labels& labels = world.labels;
+  const auto add = [&](taxonomy::Symbol event, const LightSample& light, Rgb value) {
+    const taxonomy::WordTrie::Node scattered = walk.step(node, event, labels.surface(vertex.hit));
+    walk.find({walk.step(scattered, light.kind, labels.light(light.source)), throughput * value,
+               record::Technique::NextEvent},
+              light);
+  };
+  estimate_direct_light(world, walk, vertex, rule, add);
 }
 
 Rgb direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule) {
   Rgb sum;
   estimate_direct_light(world, walk, vertex, rule,
-                        [&](taxonomy::Symbol, taxonomy::Symbol, Rgb value) { sum += value; });
+                        [&](taxonomy::Symbol, const LightSample&, Rgb value) { sum += value; });
   return sum;
 }
 
-void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol light, Rgb value) {
-  walk.found.push_back({walk.step(node, light), value, record::Technique::Hit});
+void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol kind, Labels::Id label, Rgb value) {
+  walk.find({walk.step(node, kind, label), value, record::Technique::Hit});
 }
 
 }  // namespace heckbert::transport

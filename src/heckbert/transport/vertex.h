@@ -12,10 +12,12 @@
 #include <heckbert/transport/bodies.h>
 #include <heckbert/transport/eye.h>
 #include <heckbert/transport/frame.h>
+#include <heckbert/transport/labels.h>
 #include <heckbert/transport/lights.h>
 #include <heckbert/transport/lobe.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/tracer.h>
+#include <heckbert/transport/trail.h>
 
 namespace heckbert::transport {
 
@@ -25,6 +27,7 @@ struct World {
   const Tracer& tracer;
   const Lights& lights;
   const Eye& eye;
+  const Labels& labels;
   int max_depth;
   bool has_bodies = false;  ///< some space is filled: with a medium, or with what a surface encloses
   Bodies bodies_at_eye{};
@@ -38,11 +41,30 @@ struct Walk {
   Sampler sampler;
   bool wants_words = true;  ///< false when only the picture is asked for: nothing is spelt then
   std::uint64_t rays = 0;
-  Bodies bodies{};  ///< that the walk is in
-  Rgb cut_off{};    ///< light that the depth limit cut off, estimated
+  Bodies bodies{};         ///< that the walk is in
+  Rgb cut_off{};           ///< light that the depth limit cut off, estimated
+  Trail* trail = nullptr;  ///< unless paths are traced again: not kept
 
-  taxonomy::WordTrie::Node step(taxonomy::WordTrie::Node node, taxonomy::Symbol letter) {
-    return wants_words ? sink.words().step(node, letter) : node;
+  taxonomy::WordTrie::Node step(taxonomy::WordTrie::Node node, taxonomy::Symbol letter, Labels::Id label) {
+    return wants_words ? sink.words().step(node, letter, label) : node;
+  }
+  /// The walk stands at a vertex after so many scatterings, or has left the scene.
+  void arrive(int depth, const TrailVertex& vertex) {
+    if (trail != nullptr) trail->arrive(depth, vertex);
+  }
+  /// A path to the light that the walk stands at.
+  void find(const record::Contribution& contribution) {
+    found.push_back(contribution);
+    if (trail != nullptr) trail->of_found.push_back(trail->vertices);
+  }
+  /// A path that goes on from here to a light.
+  void find(const record::Contribution& contribution, const LightSample& light) {
+    find(contribution);
+    if (trail == nullptr) return;
+    const auto ratio = [](float value, float radiance) { return radiance > 0 ? value / radiance : 0.0f; };
+    const Rgb value = contribution.value, radiance = light.radiance;
+    const Rgb throughput{ratio(value.r, radiance.r), ratio(value.g, radiance.g), ratio(value.b, radiance.b)};
+    trail->of_found.back().push_back({light.infinite ? light.direction : light.target, throughput, light.infinite});
   }
 };
 
@@ -136,6 +158,7 @@ class PastTheLimit {
   ~PastTheLimit() {
     for (std::size_t i = found_; i < walk_.found.size(); ++i) walk_.cut_off += walk_.found[i].value / kShare;
     walk_.found.resize(found_);
+    if (walk_.trail != nullptr) walk_.trail->of_found.resize(found_);
     walk_.wants_words = wanted_words_;
   }
   PastTheLimit(const PastTheLimit&) = delete;
@@ -148,6 +171,6 @@ class PastTheLimit {
 };
 
 /// A path that ran into a light: finishes its word and adds its value.
-void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol light, Rgb value);
+void add_hit(Walk& walk, taxonomy::WordTrie::Node node, taxonomy::Symbol kind, Labels::Id label, Rgb value);
 
 }  // namespace heckbert::transport

@@ -1,0 +1,35 @@
+#include <heckbert/transport/stage.h>
+
+#include <heckbert/transport/path_tracer.h>
+#include <heckbert/transport/recursive_tracer.h>
+#include <heckbert/transport/travel.h>
+
+namespace heckbert::transport {
+
+Stage::Stage(const Scene& scene, const RenderSettings& settings)
+    : tracer_(scene),
+      lights_(scene, tracer_),
+      eye_(scene.camera, settings.width, settings.height, settings.filter),
+      labels_(scene, tracer_, settings.labels),
+      world_{scene,
+             tracer_,
+             lights_,
+             eye_,
+             labels_,
+             settings.max_depth,
+             has_bodies(scene),
+             has_bodies(scene) ? bodies_at(scene, tracer_, scene.camera.position) : Bodies{},
+             settings.next_event_estimation} {}
+
+void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
+  switch (algorithm) {
+    case AlgorithmId::Path:
+      return trace_path(world, walk, ray);
+    case AlgorithmId::Whitted:
+      return trace_recursively(world, walk, ray, {.glossy_highlights = true, .mirror_at_diffuse = false});
+    case AlgorithmId::Lecture:
+      return trace_recursively(world, walk, ray, {.glossy_highlights = false, .mirror_at_diffuse = true});
+  }
+}
+
+}  // namespace heckbert::transport

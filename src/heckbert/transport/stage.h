@@ -1,0 +1,29 @@
+#pragma once
+// A scene with everything that walking through it takes, made once per render.
+
+#include <heckbert/transport/render.h>
+#include <heckbert/transport/vertex.h>
+
+namespace heckbert::transport {
+
+class Stage {
+ public:
+  /// Refers to the scene, which must outlive it. Errors: as Tracer.
+  Stage(const Scene& scene, const RenderSettings& settings);
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  const World& world() const { return world_; }
+
+ private:
+  Tracer tracer_;
+  Lights lights_;
+  Eye eye_;
+  Labels labels_;
+  World world_;
+};
+
+/// Walks one camera ray by an algorithm; what it finds is in walk.found.
+void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm);
+
+}  // namespace heckbert::transport
