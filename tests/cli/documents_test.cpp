@@ -128,10 +128,13 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
   const std::vector<std::vector<std::string>> commands{
       {"render", room, "--record", record, "--size", "16x16", "--spp", "4", "--lpe", "LE", "--json"},
       {"coverage", record, "--json"},
+      {"paths", record, "--pixel", "8,8", "--json"},
       {"query", record, "LE", "--json"},
       {"classify", record, "--json"},
       {"report", record, "-o", (folder / "a.html").string(), "--json"},
       {"render", "lecture", "--record", record, "--size", "16x16", "--spp", "4", "--json"},
+      {"paths", record, "--pixel", "3,4", "--trace", "--json"},
+      {"coverage", record, "--require", "whitted>=1", "--json"},
       {"coverage", record, "--grammar", "all", "--json"},
       {"query", record, "LDE", "--json"},
       {"classify", record, "--json"},
@@ -167,7 +170,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
     ASSERT_TRUE(document.is_object()) << command[0] << outcome.err;
     collect(document, "", written[document["schema"].get<std::string>()]);
   }
-  ASSERT_EQ(written.size(), 26u);
+  ASSERT_EQ(written.size(), 27u);
   const std::map<std::string, Keys> sections = tables();
   for (const auto& [schema, keys] : written) {
     ASSERT_TRUE(sections.contains(schema)) << schema << " has no section in docs/json.md";

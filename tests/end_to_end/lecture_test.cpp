@@ -27,7 +27,7 @@ TEST(LectureScene, HasTheWordsOfTheBlackboardAndTheReportNamesThem) {
     EXPECT_GT(share.lower, 0.0) << word;
   }
   const report::Coverage coverage = report::coverage(record, taxonomy::core_algorithms(taxonomy::builtin_grammars()));
-  const std::string page = report::html(record, coverage);
+  const std::string page = report::html(record, coverage, report::classify(record, report::GroupBy::Word, {}));
   for (const char* word : {"LDDE", "LSSE"}) EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 

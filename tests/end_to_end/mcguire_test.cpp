@@ -49,7 +49,7 @@ TEST_P(McGuireBox, RendersClassifiesAndReports) {
         previous = grammar.share.mean;
       }
   EXPECT_NEAR(previous, 1.0, 1e-9);
-  const std::string page = report::html(record, coverage);
+  const std::string page = report::html(record, coverage, report::classify(record, report::GroupBy::Word, {}));
   EXPECT_NE(page.find("LDE"), std::string::npos);
 
   if (name == "Original") {

@@ -2,8 +2,13 @@
 
 #include <heckbert/report/coverage.h>
 
+#include <cmath>
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <heckbert/report/requirement.h>
 
 #include "report/sample_record.h"
 
@@ -183,6 +188,98 @@ TEST(Coverage, OfARecordWithoutLightIsNought) {
       EXPECT_THAT(grammar.top_missed, IsEmpty());
     }
   }
+}
+
+/// Two pixels side by side: the left one lit by LDE, the right one by LSE and a little LDDE.
+record::Record left_and_right() {
+  const auto left = [](float light) { return [light](int x, int) { return x == 0 ? Rgb(light) : Rgb(0); }; };
+  const auto right = [](float light) { return [light](int x, int) { return x == 1 ? Rgb(light) : Rgb(0); }; };
+  return sample_record(2, 1,
+                       {{.word = "LDE", .batches = {3, 3, 3, 3}, .count = 4, .light = left(6)},
+                        {.word = "LSE", .batches = {0.5f, 1.5f, 0.5f, 1.5f}, .count = 2, .light = right(2)},
+                        {.word = "LDDE", .batches = {1, 1, 1, 1}, .count = 4, .light = right(2)}});
+}
+
+TEST(Coverage, OfARegionIsThatOfItsPixels) {
+  const record::Record record = left_and_right();
+  const Part right{.pixels = record::Window{1, 0, 2, 1}, .words = {}, .description = "right"};
+  const Coverage result = coverage(record, {grammar_of("a", "A", "LD*E")}, {.part = right});
+  EXPECT_NEAR(result.total.mean, 4, 1e-6);
+  EXPECT_NEAR(result.grammars[0].share.mean, 0.5, 1e-6);
+  EXPECT_NEAR(result.grammars[0].captured_energy.mean, 2, 1e-6);
+  ASSERT_EQ(result.words.size(), 3u);
+  EXPECT_FALSE(result.words.back().share.known) << "LDE was not found there, which does not prove that it is nought";
+}
+
+TEST(Coverage, IntervalOfARegionComesFromCountsAndThePicturesBatches) {
+  // All of LSE lies in the right pixel, so that its error there is the picture's, in the pixel's own units: the batches
+  // give a standard error of 0.5 / sqrt(3) on the mean of two pixels.
+  const record::Record record = left_and_right();
+  const Part right{.pixels = record::Window{1, 0, 2, 1}, .words = {}, .description = "right"};
+  const Coverage result = coverage(record, {grammar_of("a", "A", "LSE")}, {.part = right});
+  const record::Estimate energy = result.grammars[0].captured_energy, share = result.grammars[0].share;
+  EXPECT_NEAR(energy.standard_error, 2 * 0.5 / std::sqrt(3), 1e-6);
+  EXPECT_NEAR(share.standard_error, 0.5 * energy.standard_error / 4, 1e-6) << "(1 - share) of it, over the total";
+}
+
+TEST(Coverage, OfSomeWordsIsSharesOfThem) {
+  const record::Record record = left_and_right();
+  std::vector<bool> diffuse(3);
+  for (std::size_t w = 0; w < 3; ++w) diffuse[w] = plain(record.words[w]) != "LSE";
+  const Coverage result = coverage(record, {grammar_of("a", "A", "LD?S?E")},
+                                   {.part = {.pixels = {}, .words = diffuse, .description = "diffuse"}});
+  EXPECT_NEAR(result.total.mean, 4, 1e-6);
+  EXPECT_NEAR(result.grammars[0].share.mean, 0.75, 1e-6);
+  EXPECT_THAT(names(result.words), ElementsAre("LDE", "LDDE"));
+}
+
+TEST(Coverage, NamesThePixelOfWhichLeastIsCaptured) {
+  const Coverage result = coverage(
+      left_and_right(), {grammar_of("a", "A", "LD*E"), grammar_of("b", "B", "LSE"), grammar_of("c", "C", "L.*E")});
+  const auto worst = [&](std::size_t grammar) { return *result.grammars[grammar].worst_pixel; };
+  EXPECT_EQ(worst(0).x, 1);
+  EXPECT_NEAR(worst(0).share, 0.5, 1e-6);
+  EXPECT_EQ(worst(1).x, 0);
+  EXPECT_EQ(worst(1).share, 0);
+  EXPECT_NEAR(worst(2).share, 1, 1e-6);
+  EXPECT_FALSE(coverage(sample_record(2, 2, {}), four_grammars()).grammars[0].worst_pixel.has_value());
+}
+
+TEST(Coverage, SaysHowManySamplesAWordNeeds) {
+  // LSE: batches of one sample each, 0.5 and 1.5, with mean 1 over two pixels. One sample's variance at a pixel is that
+  // of the mean of two pixels times two: 2 (0.25 * 4/3) / 1 = 2/3 of the square of the mean. For 10 %: 100 times that.
+  const Coverage result = coverage(left_and_right(), {grammar_of("a", "A", "L.*E")}, {.error = 0.1, .budget = 60});
+  for (const WordEnergy& word : result.words) {
+    ASSERT_TRUE(word.samples_needed.has_value()) << word.word;
+    EXPECT_NEAR(*word.samples_needed, word.word == "LSE" ? 200.0 / 3 : 0.0, 1e-3) << word.word;
+    EXPECT_EQ(is_practical(word, 60), word.word != "LSE");
+  }
+  EXPECT_NEAR(result.grammars[0].practical_share, 4.0 / 5, 1e-6);
+  EXPECT_NEAR(result.grammars[0].share.mean, 1, 1e-6);
+}
+
+TEST(Requirement, HoldsWhenTheLowerEndReachesIt) {
+  // Batches 3 and 5 of LDE beside 4 of LSE: the share wavers.
+  const record::Record record =
+      sample_record(1, 1, {{.word = "LDE", .batches = {6, 7, 6, 7}}, {.word = "LSE", .batches = {3, 3, 3, 3}}});
+  const Coverage result = coverage(record, {grammar_of("matt", "Matt", "LD*E")});
+  const record::Estimate share = result.grammars[0].share;
+  ASSERT_LT(share.lower, share.mean);
+  const auto verdicts = judge(
+      result, {{"matt>=low", "matt", share.lower - 1e-6}, {"matt>=mean", "matt", share.mean}, {"matt>=1", "matt", 1}});
+  ASSERT_EQ(verdicts.size(), 3u);
+  EXPECT_TRUE(verdicts[0].holds);
+  EXPECT_FALSE(verdicts[1].holds) << "noise must not decide";
+  EXPECT_FALSE(verdicts[2].holds);
+  EXPECT_THAT(sentence(verdicts[2], result), ::testing::HasSubstr("matt>=1 does not hold: matt captures 68.4"));
+  EXPECT_THAT(sentence(verdicts[2], result), ::testing::HasSubstr("it misses LSE (31.5"));
+  EXPECT_THROW(judge(result, {{"x>=1", "x", 1}}), std::out_of_range);
+}
+
+TEST(Requirement, DoesNotHoldOnOneSample) {
+  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {6}}, {.word = "LSE", .batches = {3}}});
+  const Coverage result = coverage(record, {grammar_of("matt", "Matt", "LD*E")});
+  EXPECT_FALSE(judge(result, {{"matt>=0.1", "matt", 0.1}})[0].holds);
 }
 
 }  // namespace

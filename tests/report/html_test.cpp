@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::string page_of(const record::Record& record, const HtmlOptions& options = {}) {
-  return html(record, coverage(record, four_grammars()), options);
+  return html(record, coverage(record, four_grammars()), classify(record, GroupBy::Word, {}), options);
 }
 
 std::size_t count_of(const std::string& text, const std::string& piece) {
@@ -115,7 +115,7 @@ TEST(Html, LinksLeadToPlacesOnThePage) {
 TEST(Html, ShowsEveryGrammarWithItsWords) {
   const record::Record record = lecture_like_record(8, 6);
   const Coverage coverage = report::coverage(record, four_grammars());
-  const std::string text = skeleton(html(record, coverage));
+  const std::string text = skeleton(html(record, coverage, classify(record, GroupBy::Word, {})));
   for (const GrammarCoverage& grammar : coverage.grammars) {
     const std::size_t begin = text.find("<article id=\"algorithm-" + grammar.name + '"');
     ASSERT_NE(begin, std::string::npos) << grammar.name;
@@ -159,8 +159,8 @@ TEST(Html, AllPicturesHaveOneExposure) {
     for (const auto& words : {grammar.captured, missed})
       expected.push_back(base64(encode_png(to_srgb(image_of(record, words), exposure))));
   }
-  EXPECT_EQ(pictures_of(html(record, coverage)), expected);
-  EXPECT_EQ(pictures_of(html(record, coverage, {.exposure = 3.0f}))[0],
+  EXPECT_EQ(pictures_of(html(record, coverage, classify(record, GroupBy::Word, {}))), expected);
+  EXPECT_EQ(pictures_of(html(record, coverage, classify(record, GroupBy::Word, {}), {.exposure = 3.0f}))[0],
             base64(encode_png(to_srgb(record::beauty(record), 3.0f))));
 }
 
@@ -185,7 +185,7 @@ TEST(Html, EscapesWhatUsersWrite) {
   grammars[0].name = "a\"b";
   grammars[0].source = "<u>source</u>";
   grammars[0].biases = {"<s>bias</s>"};
-  const std::string text = skeleton(html(record, coverage(record, grammars)));
+  const std::string text = skeleton(html(record, coverage(record, grammars), classify(record, GroupBy::Word, {})));
   for (const char* bad : {"<script", "<b>&", "<i>title", "a\"b\"", "<u>", "<s>", "name=\"<b>"})
     EXPECT_THAT(text, Not(HasSubstr(bad)));
   EXPECT_THAT(text, HasSubstr("<h1>&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp; &quot;more&quot;</h1>"));

@@ -105,9 +105,9 @@ std::vector<taxonomy::Grammar> grammars_and_a_proxy() {
 std::map<std::string, std::string> documents() {
   const record::Record record = test::lecture_like_record(4, 4);
   const ClassifyOptions options;
-  return {{"heckbert.coverage", coverage_json(coverage(record, grammars_and_a_proxy()))},
-          {"heckbert.classify",
-           groups_json(classify(record, GroupBy::Length, library(), options), GroupBy::Length, record.info, record.tally, options)},
+  const Coverage data = coverage(record, grammars_and_a_proxy());
+  return {{"heckbert.coverage", coverage_json(data, judge(data, {{"lecture>=1", "lecture", 1}}))},
+          {"heckbert.classify", classification_json(classify(record, GroupBy::Length, library(), options))},
           {"heckbert.grammars", grammar_list_json(library())}};
 }
 

@@ -43,6 +43,7 @@ record::Record sample_record(int width, int height, const std::vector<SampleWord
                  .seed = 7,
                  .max_depth = 32,
                  .partial = false,
+                 .labels = {},
                  .version = "0.0.0",
                  .ignored = {"sample.xml:7: <medium> is not read"}};
   record.tally.samples = record.info.window.pixel_count() * static_cast<std::size_t>(record.info.samples_per_pixel);

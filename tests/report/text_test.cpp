@@ -163,11 +163,11 @@ TEST(GroupsText, ShowsExpressionsOfClassesAndNoSumOfThem) {
   taxonomy::GrammarLibrary library;
   library.grammars = test::four_grammars();
   const record::Record record = test::lecture_like_record(4, 4);
-  const std::string text = groups_text(classify(record, GroupBy::Algorithm, library), GroupBy::Algorithm, {}, 2);
+  const std::string text = classification_text(classify(record, GroupBy::Algorithm, library), {}, 2);
   EXPECT_THAT(text, HasSubstr("ray-casting"));
   EXPECT_THAT(text, HasSubstr("  LD?E\n"));
   EXPECT_THAT(text, Not(HasSubstr("more group")));
-  EXPECT_THAT(groups_text(classify(record, GroupBy::Length, library), GroupBy::Length, {}, 2),
+  EXPECT_THAT(classification_text(classify(record, GroupBy::Length, library), {}, 2),
               HasSubstr("and 2 more groups with "));
 }
 

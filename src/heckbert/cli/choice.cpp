@@ -26,6 +26,27 @@ double number_between(std::string_view text, double low, double high) {
   return value;
 }
 
+double share_of(std::string_view text) {
+  const bool is_percent = text.ends_with('%');
+  const std::string_view digits = is_percent ? text.substr(0, text.size() - 1) : text;
+  double value = -1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (is_percent) value /= 100;
+  if (error != std::errc{} || end != digits.data() + digits.size() || !(value >= 0 && value <= 1))
+    throw BadValue(fmt::format("'{}' is no share; expected a number from 0 to 1, or per cent such as 95%", text));
+  return value;
+}
+
+record::Window parse_window(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 4) throw BadValue(fmt::format("'{}' is no window; expected X0,Y0,X1,Y1 in pixels", text));
+  const auto place = [](const std::string& part) { return static_cast<int>(whole_number(part, 0, kMaxSize)); };
+  const record::Window window{place(parts[0]), place(parts[1]), place(parts[2]), place(parts[3])};
+  if (window.x1 <= window.x0 || window.y1 <= window.y0)
+    throw BadValue(fmt::format("'{}' is an empty window; X1 must exceed X0 and Y1 must exceed Y0", text));
+  return window;
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts{""};
   for (const char c : text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <heckbert/cli/exit_code.h>
+#include <heckbert/record/record.h>
 
 namespace heckbert::cli {
 
@@ -22,6 +23,12 @@ class BadValue : public std::runtime_error {
 std::uint64_t whole_number(std::string_view text, std::uint64_t low, std::uint64_t high);
 /// A finite number in (low, high). Errors: BadValue.
 double number_between(std::string_view text, double low, double high);
+/// A number from 0 to 1, or as per cent: "0.95", "95%". Errors: BadValue.
+double share_of(std::string_view text);
+/// "x0,y0,x1,y1" with x0 < x1 and y0 < y1. Errors: BadValue.
+record::Window parse_window(const std::string& text);
+/// Pixels of a picture's side, at most.
+inline constexpr int kMaxSize = 16'384;
 /// "a,b,c" at each separator, nothing trimmed.
 std::vector<std::string> split(std::string_view text, char separator);
 

@@ -1,31 +1,44 @@
 #include <heckbert/cli/layers.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <heckbert/cli/never.h>
+#include <heckbert/report/cryptomatte.h>
+#include <heckbert/report/energies.h>
 #include <heckbert/report/numbers.h>
 #include <heckbert/taxonomy/simplest.h>
 
 namespace heckbert::cli {
 
+namespace {
+
+/// A short expression of the language, in Heckbert's notation; empty when none is known.
+std::string canonical(const ClassOfRecord& item) {
+  return taxonomy::simplest_expression(item.grammar.language).value_or("");
+}
+
+}  // namespace
+
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence) {
-  const std::vector<bool> all(record.words.size(), true);
+  std::vector<taxonomy::Language> languages;
+  for (const taxonomy::Grammar& grammar : grammars) languages.push_back(grammar.language);
+  std::vector<std::vector<bool>> members = record::members(record, languages, rule);
+  const std::vector<report::GroupEnergy> energies = report::Energies(record, confidence).of_sets(members);
   std::vector<ClassOfRecord> classes;
-  for (const taxonomy::Grammar& grammar : grammars) {
+  for (std::size_t i = 0; i < grammars.size(); ++i) {
     ClassOfRecord item;
-    item.grammar = grammar;
-    item.canonical = taxonomy::simplest_expression(grammar.language).value_or("");
-    item.never = never_text(grammar, rule, record);
-    item.members = record::members(record, grammar.language, rule);
-    item.energy = record::energy(record, item.members, confidence);
-    item.share = record::share(record, item.members, all, confidence);
-    for (const bool member : item.members) item.words += member ? 1 : 0;
-    for (const record::Entry& entry : record.entries)
-      if (item.members[entry.word]) item.count += entry.count;
+    item.grammar = grammars[i];
+    item.members = std::move(members[i]);
+    item.energy = energies[i].energy;
+    item.share = energies[i].share;
+    item.count = energies[i].count;
+    item.words = static_cast<std::size_t>(std::count(item.members.begin(), item.members.end(), true));
+    if (item.words == 0) item.never = never_text(item.grammar, rule, record);
     classes.push_back(std::move(item));
   }
   return classes;
@@ -40,14 +53,36 @@ std::vector<record::Layer> layers_of(const record::Record& record, const std::ve
     layer.image = record::image_of(record, item.members);
     if (!layers.empty() || !first_unnamed) layer.name = record::layer_name(item.grammar.name, taken);
     taken.push_back(layer.name);
+    layer.attributes["name"] = item.grammar.name;
     layer.attributes["expression"] = item.grammar.expression;
     if (!item.grammar.expression_delta.empty()) layer.attributes["expression_delta"] = item.grammar.expression_delta;
     layer.attributes["dialect"] = std::string(taxonomy::facts(item.grammar.dialect).name);
-    if (!item.canonical.empty()) layer.attributes["canonical"] = item.canonical;
+    if (const std::string text = canonical(item); !text.empty()) layer.attributes["canonical"] = text;
     layer.attributes["glossy"] = std::string(report::name_of(rule));
     layers.push_back(std::move(layer));
   }
   return layers;
+}
+
+std::vector<std::string> renamed(const std::vector<record::Layer>& layers) {
+  std::vector<std::string> sentences;
+  for (const record::Layer& layer : layers) {
+    const auto name = layer.attributes.find("name");
+    if (name == layer.attributes.end() || layer.name.empty() || name->second == layer.name) continue;
+    sentences.push_back(fmt::format("the layer of '{}' is called {}", name->second, layer.name));
+  }
+  return sentences;
+}
+
+record::Attachment cryptomatte_of(const record::Record& record, const std::vector<ClassOfRecord>& classes) {
+  if (classes.empty()) return report::cryptomatte(record, report::classes_by_word(record));
+  std::vector<std::string> names;
+  std::vector<std::vector<bool>> members;
+  for (const ClassOfRecord& item : classes) {
+    names.push_back(item.grammar.name);
+    members.push_back(item.members);
+  }
+  return report::cryptomatte(record, report::classes_by_set(std::move(names), members));
 }
 
 void add_non_path_layers(const record::Record& record, std::vector<record::Layer>& layers) {
@@ -94,7 +129,7 @@ report::Json to_json(const std::vector<ClassOfRecord>& classes) {
     list.push_back({{"name", item.grammar.name},
                     {"expression", item.grammar.expression},
                     {"dialect", taxonomy::facts(item.grammar.dialect).name},
-                    {"canonical", item.canonical},
+                    {"canonical", canonical(item)},
                     {"never", item.never},
                     {"energy", report::to_json(item.energy)},
                     {"share", report::to_json(item.share)},

@@ -19,7 +19,6 @@ namespace heckbert::cli {
 /// What a record holds of one language.
 struct ClassOfRecord {
   taxonomy::Grammar grammar;
-  std::string canonical;      ///< a short expression of the language, in Heckbert's notation; empty: none is known
   std::string never;          ///< "'LVE' matches nothing in this record, because ...", or empty
   std::vector<bool> members;  ///< by word of the record
   record::Estimate energy, share;
@@ -27,6 +26,8 @@ struct ClassOfRecord {
   std::uint64_t count = 0;  ///< contributions
 };
 
+/// All classes in one pass: membership is asked once per distinct word, and words that are in the same classes are added
+/// up once.
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence);
 
@@ -35,6 +36,12 @@ std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::v
 /// With `first_unnamed` the first class becomes the unprefixed R, G, B.
 std::vector<record::Layer> layers_of(const record::Record& record, const std::vector<ClassOfRecord>& classes,
                                      taxonomy::GlossyRule rule, bool first_unnamed = false);
+
+/// What happened to names that had to be changed, in sentences: "the layer of 'LS+DE' is called LS_DE".
+std::vector<std::string> renamed(const std::vector<record::Layer>& layers);
+
+/// The classes as a Cryptomatte, the first that has a word owning it; without classes every word is one.
+record::Attachment cryptomatte_of(const record::Record& record, const std::vector<ClassOfRecord>& classes);
 
 /// Light that no path carries, as far as the record has it: layers "ambient" and "phantom". It is not in the picture.
 void add_non_path_layers(const record::Record& record, std::vector<record::Layer>& layers);

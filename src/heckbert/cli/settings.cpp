@@ -21,7 +21,6 @@
 namespace heckbert::cli {
 namespace {
 
-constexpr int kMaxSize = 16'384;
 constexpr int kMaxSamples = 1'000'000;
 constexpr int kMaxThreads = 1'024;
 constexpr int kMaxDepth = 1'000;
@@ -40,16 +39,6 @@ Size parse_size(const std::string& text) {
   const std::vector<std::string> parts = split(text, 'x');
   if (parts.size() != 2) throw BadValue(fmt::format("'{}' is no size; expected WIDTHxHEIGHT, such as 640x480", text));
   return {whole(parts[0], 1, kMaxSize), whole(parts[1], 1, kMaxSize)};
-}
-
-record::Window parse_crop(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 4) throw BadValue(fmt::format("'{}' is no window; expected X0,Y0,X1,Y1 in pixels", text));
-  const record::Window window{whole(parts[0], 0, kMaxSize), whole(parts[1], 0, kMaxSize), whole(parts[2], 0, kMaxSize),
-                              whole(parts[3], 0, kMaxSize)};
-  if (window.x1 <= window.x0 || window.y1 <= window.y0)
-    throw BadValue(fmt::format("'{}' is an empty window; X1 must exceed X0 and Y1 must exceed Y0", text));
-  return window;
 }
 
 record::Part parse_part(const std::string& text) {
@@ -101,7 +90,7 @@ const std::vector<Setting>& all_settings() {
          fmt::format("size in pixels (default: the scene's, else {}x{})", fallback.width, fallback.height),
          [](Settings& s, const std::string& t) { s.size = parse_size(t); }},
         {"crop", "X0,Y0,X1,Y1", Scope::Tracing, "", "render only these pixels, X1 and Y1 excluded",
-         [](Settings& s, const std::string& t) { s.crop = parse_crop(t); }},
+         [](Settings& s, const std::string& t) { s.crop = parse_window(t); }},
         {"max-depth", "N", Scope::Tracing, "",
          fmt::format("most scatterings per path (default: the scene's, else {})", fallback.max_depth),
          [](Settings& s, const std::string& t) { s.max_depth = whole(t, 0, kMaxDepth); }},
@@ -114,6 +103,9 @@ const std::vector<Setting>& all_settings() {
         {"sampler", alternatives(transport::kSamplers), Scope::Tracing, "",
          fmt::format("where random numbers come from (default: {})", transport::kSamplers.front().name),
          [](Settings& s, const std::string& t) { s.sampler = choose(t, transport::kSamplers).kind; }},
+        {"labels", alternatives(transport::kLabelKinds) + "[,..]", Scope::Tracing, "",
+         "write into words what events happened on, and the groups of lights",
+         [](Settings& s, const std::string& t) { s.labels = parse_labels(t); }},
         {"progress", alternatives(kWhens), Scope::Tracing, "", "progress on standard error (auto: on a terminal)",
          [](Settings& s, const std::string& t) { s.progress = choose(t, kWhens).when; }},
         {"dialect", "DIALECT", Scope::Dialect, "",
@@ -212,6 +204,19 @@ void refuse_rivals(const Layer& layer) {
 }
 
 }  // namespace
+
+transport::LabelRule parse_labels(const std::string& text) {
+  transport::LabelRule labels;
+  for (const std::string& name : split(text, ',')) {
+    const transport::LabelRule rule = choose(name, transport::kLabelKinds).rule;
+    const bool has_events = rule.events != transport::EventLabels::None;
+    if (has_events && labels.events != transport::EventLabels::None)
+      throw BadValue(fmt::format("'{}' asks for two labels of one event; expected object or material", text));
+    if (has_events) labels.events = rule.events;
+    labels.light_groups |= rule.light_groups;
+  }
+  return labels;
+}
 
 void add_settings(CLI::App& command, SettingFlags& flags, std::initializer_list<Scope> scopes) {
   for (const Setting& setting : all_settings()) {

@@ -18,6 +18,7 @@
 #include <heckbert/record/record.h>
 #include <heckbert/taxonomy/dialect.h>
 #include <heckbert/taxonomy/glossy_rule.h>
+#include <heckbert/transport/label_rule.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
@@ -41,6 +42,7 @@ struct Settings {
   std::optional<int> max_depth;
   std::optional<transport::PixelFilter> filter;
   transport::SamplerKind sampler = transport::kSamplers.front().kind;
+  transport::LabelRule labels{};
   When progress = When::Auto;
   taxonomy::GlossyRule glossy = taxonomy::GlossyRule::Keep;
   taxonomy::Dialect dialect = taxonomy::Dialect::Heckbert;
@@ -61,6 +63,9 @@ struct SettingFlags {
 
 /// Adds the flags of these scopes, and those of Scope::Everywhere, to a command. `flags` must outlive the parse.
 void add_settings(CLI::App& command, SettingFlags& flags, std::initializer_list<Scope> scopes);
+
+/// "object,light-group": names of transport::kLabelKinds. Errors: BadValue.
+transport::LabelRule parse_labels(const std::string& text);
 
 /// Merges flags, environment and config file. Two rivals (--spp and --time, --quiet and --verbose) exclude each other
 /// within a layer, and one hides the other in the layers below.

@@ -4,9 +4,10 @@
 #include <string>
 
 #include <heckbert/report/coverage.h>
+#include <heckbert/report/requirement.h>
 
 namespace heckbert::report {
 
-std::string coverage_json(const Coverage& coverage);
+std::string coverage_json(const Coverage& coverage, const std::vector<Verdict>& verdicts = {});
 
 }  // namespace heckbert::report

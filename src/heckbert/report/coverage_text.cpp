@@ -35,6 +35,8 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
   text += wrap(fmt::format("Energy is the mean luminance of the picture: {} in all. Intervals hold at {}.",
                            number(coverage.total.mean), level(coverage.confidence)),
                style.width);
+  if (!coverage.part.is_whole()) text += wrap("All of this is about " + coverage.part.description + ".", style.width);
+  text += wrap(practical_rule(coverage), style.width);
   if (coverage.ambient > 0 || coverage.phantom > 0)
     text += wrap(fmt::format("Outside of every share, as no path: ambient term {}, phantom mirror {}.",
                              number(coverage.ambient), number(coverage.phantom)),
@@ -45,18 +47,25 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
     text += wrap("Warning: " + warning, style.width);
 
   std::vector<TextRow> rows;
-  for (const GrammarCoverage& grammar : coverage.grammars)
+  for (const GrammarCoverage& grammar : coverage.grammars) {
     rows.push_back({.cells = {grammar.title, percent(grammar.share.mean), bracketed_percent(grammar.share),
-                              aligned_number(grammar.captured_energy.mean, coverage.total.mean)},
+                              is_biased(grammar) ? "yes" : "-", percent(grammar.practical_share)},
                     .notes = {expressions(grammar), missed(grammar, style.width - 2)},
                     .bar = grammar.share.mean});
-  text +=
-      '\n' +
-      text_table({{"Algorithm"}, {"Share", Align::Right}, {"Interval in %", Align::Right}, {"Energy", Align::Right}},
-                 rows, style);
+    std::vector<std::string>& notes = rows.back().notes;
+    if (const std::optional<WorstPixel>& worst = grammar.worst_pixel; worst && worst->share < 1)
+      notes.push_back(fmt::format("worst pixel {}, {}: {}", worst->x, worst->y, percent(worst->share)));
+    for (const std::string& bias : grammar.biases) notes.push_back("bias: " + bias);
+  }
+  text += '\n' + text_table({{"Algorithm"},
+                             {"Captured", Align::Right},
+                             {"Interval in %", Align::Right},
+                             {"Bias", Align::Right},
+                             {"Practical", Align::Right}},
+                            rows, style);
   if (!coverage.left_out.empty()) text += "\nLeft out:\n";
   for (const LeftOut& grammar : coverage.left_out) text += wrap(grammar.why + ".", style.width, 2);
-  return text + '\n' + words_text(coverage.words, style, words);
+  return text + '\n' + words_text(coverage.words, style, words, true);
 }
 
 }  // namespace heckbert::report

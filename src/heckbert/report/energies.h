@@ -1,32 +1,43 @@
 #pragma once
 // Energies of many groups of words in one pass. A record of a rich scene has tens of thousands of words; asking
-// record::energy about each would walk them all each time. Instead each group is added up into a record of two
-// words, the group and the rest, and the statistics of the record layer are asked about that: the same estimators,
-// at a cost that does not depend on the number of words.
+// record::energy about each would walk them all each time. Here the batches of a group's words are added up first, and
+// the estimators of the record layer are asked about the sums.
+//
+// Intervals of the whole picture come from its batches. Of a region the record has no batches, but counts: were all
+// contributions of a group alike, its sum over an entry of energy e from c contributions would have the variance
+// e^2 / c, as that of a Poisson number. They are not alike; by what factor the true variance differs is known from the
+// whole picture, where there are batches, and taken to be the same in the region, and so is the correlation of a group
+// with the rest.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <heckbert/record/record.h>
 #include <heckbert/record/statistics.h>
+#include <heckbert/report/part.h>
 
 namespace heckbert::report {
 
 struct GroupEnergy {
-  record::Estimate energy;  ///< picture-mean luminance
-  record::Estimate share;   ///< of all recorded energy
+  record::Estimate energy;  ///< mean luminance of the part's pixels
+  record::Estimate share;   ///< of all energy of the part
   std::uint64_t count = 0;  ///< contributions
+  /// Variance of what one sample finds of the group at a pixel, mean over the part's pixels, over the square of what it
+  /// finds on average: a relative error of e takes this over e^2 samples per pixel. Unset where nothing is known of it.
+  std::optional<double> relative_variance{};
 };
 
 inline constexpr std::size_t kNoGroup = std::numeric_limits<std::size_t>::max();
 
 class Energies {
  public:
-  /// O(entries + words x batches); refers to the record, which must outlive it.
-  Energies(const record::Record& record, double confidence);
+  /// O(entries + words x batches); refers to the record, which must outlive it. Words outside of the part belong to no
+  /// group.
+  Energies(const record::Record& record, double confidence, Part part = {});
 
   /// Energies of the groups 0 .. groups-1; group_of[w] is the group of word w, or kNoGroup. O(words x batches +
   /// groups).
@@ -34,19 +45,40 @@ class Energies {
   /// The chosen words as one group.
   GroupEnergy of_words(const std::vector<bool>& chosen) const;
 
+  /// Energies of many sets of words, which may overlap, each by word. Words that are in the same sets are added up
+  /// once: O(words x (sets / 64 + batches) + outcomes x sets x batches), of which the sets' number is the small part.
+  std::vector<GroupEnergy> of_sets(const std::vector<std::vector<bool>>& sets) const;
+  /// The mean of a value that each word has, none of them negative, over the energy of the part. In a region its spread
+  /// is not known.
+  record::Estimate mean_over_energy(const std::vector<double>& value_of_word) const;
+
+  const Part& part() const { return part_; }
+
  private:
-  /// What is known of a set of words: what each batch alone says of it, per channel.
-  struct Sums {
-    std::array<std::array<double, 3>, record::kBatches> batches{};
-    std::uint64_t count = 0;
+  /// What the entries of one word say.
+  struct OfWord {
+    std::uint64_t count = 0;  ///< contributions in the part
+    double luminance = 0;     ///< summed over the part's pixels
+    double scatter = 0;       ///< e^2 / c summed over the part's pixels
+    double scatter_all = 0;   ///< the same over the whole picture
+    OfWord& operator+=(const OfWord& other);
   };
-  void add_word(Sums& sums, std::size_t word) const;
+  /// What is known of a set of words: what each batch alone says of it, and its entries.
+  struct Sums {
+    record::BatchSeries batches{};
+    OfWord entries;
+  };
+  void add_word(Sums& sums, std::size_t word, double weight = 1) const;
+  static void add(Sums& sums, const Sums& more);
   GroupEnergy estimate(const Sums& sums) const;
+  GroupEnergy estimate_region(const Sums& sums) const;
+  std::size_t pixel_count() const { return part_.pixels.value_or(record_.info.window).pixel_count(); }
 
   const record::Record& record_;
-  double confidence_;
-  std::vector<std::uint64_t> counts_;  ///< by word
-  Sums total_;
+  record::BatchStatistics statistics_;
+  Part part_;
+  std::vector<OfWord> words_;
+  Sums total_;  ///< of the part's words
 };
 
 }  // namespace heckbert::report

@@ -55,6 +55,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
       {"Samples", fmt::format("{} per pixel, {} in all", info.samples_per_pixel, grouped(tally.samples))},
       {"Seed", info.parts.empty() ? std::to_string(info.seed) : samples_text(info)},
       {"Depth", fmt::format("at most {} scatterings per path", info.max_depth)},
+      {"Labels", info.labels.empty() ? "none" : info.labels},
       {"Paths found", fmt::format("{} by hitting a light, {} by next-event estimation", grouped(tally.hits),
                                   grouped(tally.next_events))},
       {"Walks ended",

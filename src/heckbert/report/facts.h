@@ -15,7 +15,7 @@ struct Fact {
   std::string label, value;
 };
 
-/// Scene, algorithm, picture, samples, seed, depth, how walks ended, what was rejected, version.
+/// Scene, algorithm, picture, samples, seed, depth, labels, how walks ended, what was rejected, version.
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally);
 
 /// What a picture of this mean luminance lacks for its depth limit, in a sentence; empty when no walk reached it.

@@ -10,6 +10,7 @@
 #include <heckbert/report/html_text.h>
 #include <heckbert/report/numbers.h>
 #include <heckbert/report/picture.h>
+#include <heckbert/report/words_text.h>
 #include <heckbert/taxonomy/symbol.h>
 
 namespace heckbert::report {
@@ -149,34 +150,40 @@ std::string shares_section(const Coverage& coverage) {
   for (const GrammarCoverage& grammar : coverage.grammars)
     rows += fmt::format(
         R"(<tr><th scope="row"><a href="#{anchor}">{title}</a></th><td class="captures"><code>{expression}</code></td>
-<td class="number">{share}</td><td class="number">{interval}</td><td class="wide">{bar}</td></tr>
+<td class="number">{share}</td><td class="number">{interval}</td><td>{bias}</td><td class="number">{practical}</td>
+<td class="number">{worst}</td><td class="wide">{bar}</td></tr>
 )",
+        arg("bias", is_biased(grammar) ? "yes" : "-"), arg("practical", escaped_percent(grammar.practical_share)),
+        arg("worst", grammar.worst_pixel ? escaped_percent(grammar.worst_pixel->share) : "-"),
         arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)),
         arg("expression", escaped(grammar.expression)), arg("share", escaped_percent(grammar.share.mean)),
         arg("interval", percent_interval(grammar.share)), arg("bar", bar(grammar.share)));
   return fmt::format(R"(<section id="shares">
 <h2>Shares of the light</h2>
 <p>Share of the picture's mean luminance, {total}, that the words of each algorithm carry. An algorithm that captures a
-word may still give it a wrong or a noisy value; what is known of that is listed with each.</p>
+word may still give it a wrong value, which is its bias, listed with each, or a noisy one. {practical}</p>
 <div class="scroll" tabindex="0" role="region" aria-label="Shares of the light"><table class="shares">
 <thead><tr><th scope="col">Algorithm</th><th scope="col" class="captures">Captures</th><th scope="col" class="number">Share</th>
-<th scope="col" class="number">{level} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th>
-</tr></thead>
+<th scope="col" class="number">{level} interval</th><th scope="col">Bias</th>
+<th scope="col" class="number">Practical</th><th scope="col" class="number">Worst pixel</th>
+<th scope="col" class="wide"><span class="unseen">Bar</span></th></tr></thead>
 <tbody>
 {rows}</tbody></table></div>
 {left_out}</section>
 )",
-                     arg("left_out", left_out(coverage)), arg("total", number(coverage.total.mean)),
-                     arg("level", level(coverage.confidence)), arg("rows", rows));
+                     arg("left_out", left_out(coverage)), arg("practical", escaped(practical_rule(coverage))),
+                     arg("total", number(coverage.total.mean)), arg("level", level(coverage.confidence)),
+                     arg("rows", rows));
 }
 
 std::string word_rows(const std::vector<WordEnergy>& words, std::size_t most) {
   std::string rows;
   for (std::size_t i = 0; i < std::min(most, words.size()); ++i)
     rows += fmt::format(R"(<tr><th scope="row"><code>{word}</code></th><td class="number">{share}</td>
-<td class="number">{interval}</td><td class="wide">{bar}</td></tr>
+<td class="number">{interval}</td><td class="number">{samples}</td><td class="wide">{bar}</td></tr>
 )",
-                        arg("word", escaped(words[i].word)), arg("share", escaped_percent(words[i].share.mean)),
+                        arg("samples", samples_text(words[i].samples_needed)), arg("word", escaped(words[i].word)),
+                        arg("share", escaped_percent(words[i].share.mean)),
                         arg("interval", percent_interval(words[i].share)), arg("bar", bar(words[i].share)));
   return rows;
 }
@@ -185,7 +192,8 @@ std::string word_table(std::string_view caption, const std::vector<WordEnergy>& 
   if (words.empty()) return fmt::format("<p class=\"none\">{}: none.</p>\n", escaped(caption));
   return fmt::format(R"(<table class="words"><caption>{caption}</caption>
 <thead><tr><th scope="col">Word</th><th scope="col" class="number">Share</th>
-<th scope="col" class="number">{level} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th></tr></thead>
+<th scope="col" class="number">{level} interval</th><th scope="col" class="number">Samples</th>
+<th scope="col" class="wide"><span class="unseen">Bar</span></th></tr></thead>
 <tbody>
 {rows}</tbody></table>
 )",
@@ -256,7 +264,36 @@ std::string algorithms_section(const record::Record& record, const Coverage& cov
   return fmt::format("<section id=\"algorithms\">\n<h2>Algorithm by algorithm</h2>\n{}</section>\n", articles);
 }
 
-std::string words_section(const Coverage& coverage, std::size_t most) {
+/// One table of shares by number, with bars; numbers beyond the last that shows are left out.
+std::string spectrum_table(const Spectrum& spectrum, std::string_view caption) {
+  constexpr double kShows = 0.00005;  // in per cent with two decimals
+  std::size_t end = spectrum.shares.size();
+  while (end > 0 && spectrum.shares[end - 1].mean < kShows) --end;
+  std::string rows;
+  for (std::size_t n = 0; n < end; ++n)
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"wide\">{}</td></tr>\n", n,
+                        escaped_percent(spectrum.shares[n].mean), bar(spectrum.shares[n]));
+  return fmt::format(R"(<div><table><caption>{}</caption>
+<thead><tr><th scope="col">Number</th><th scope="col" class="number">Share</th>
+<th scope="col" class="wide"><span class="unseen">Bar</span></th></tr></thead>
+<tbody>
+{}</tbody></table></div>
+)",
+                     escaped(caption), rows);
+}
+
+/// How the light is spread over words and their letters; nothing when all is dark.
+std::string spread(const Classification& words) {
+  if (!words.spread) return {};
+  std::string tables;
+  for (const Spectrum& spectrum : words.spectra)
+    for (const GroupByFacts& grouping : kGroupings)
+      if (grouping.name == spectrum.name) tables += spectrum_table(spectrum, "By " + std::string(grouping.meaning));
+  return fmt::format("<h3>How the light is spread over them</h3>\n<p>{}</p>\n<div class=\"pair\">\n{}</div>\n",
+                     escaped(spread_text(words)), tables);
+}
+
+std::string words_section(const Coverage& coverage, const Classification& words, std::size_t most) {
   const std::size_t shown = std::min(most, coverage.words.size());
   double rest = 0;
   for (std::size_t i = shown; i < coverage.words.size(); ++i) rest += coverage.words[i].share.mean;
@@ -267,8 +304,8 @@ std::string words_section(const Coverage& coverage, std::size_t most) {
                         counted(coverage.words.size() - shown, "more word"), escaped_percent(rest));
   const std::vector<WordEnergy> first(coverage.words.begin(),
                                       coverage.words.begin() + static_cast<std::ptrdiff_t>(shown));
-  return fmt::format("<section id=\"words\">\n<h2>The words of this scene</h2>\n{}{}</section>\n",
-                     word_table("Words by energy, most first", first, coverage.confidence), rest_line);
+  return fmt::format("<section id=\"words\">\n<h2>The words of this scene</h2>\n{}{}{}</section>\n",
+                     word_table("Words by energy, most first", first, coverage.confidence), rest_line, spread(words));
 }
 
 /// The buffers of light that no path carries; nothing when the render had none.
@@ -327,7 +364,8 @@ std::string facts_section(const Coverage& coverage) {
 
 }  // namespace
 
-std::string html(const record::Record& record, const Coverage& coverage, const HtmlOptions& options) {
+std::string html(const record::Record& record, const Coverage& coverage, const Classification& words,
+                 const HtmlOptions& options) {
   const record::Image beauty = record::beauty(record);
   const float exposure = options.exposure.value_or(auto_exposure(beauty));
   std::string page = fmt::format(R"(<!DOCTYPE html>
@@ -351,7 +389,7 @@ std::string html(const record::Record& record, const Coverage& coverage, const H
   page += reading_section(coverage);
   page += shares_section(coverage);
   page += algorithms_section(record, coverage, exposure, options.part_width);
-  page += words_section(coverage, options.words);
+  page += words_section(coverage, words, options.words);
   page += non_path_section(record, exposure, options.part_width);
   page += facts_section(coverage);
   page += "</main>\n</body>\n</html>\n";

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <heckbert/record/record.h>
+#include <heckbert/report/classify.h>
 #include <heckbert/report/coverage.h>
 
 namespace heckbert::report {
@@ -18,7 +19,9 @@ struct HtmlOptions {
   int part_width = 640;             ///< of captured and missed, at most
 };
 
-/// `coverage` must come from `record`. The page grows by some two pictures per grammar.
-std::string html(const record::Record& record, const Coverage& coverage, const HtmlOptions& options = {});
+/// `coverage` and `words`, the classification by word, must come from `record`. The page grows by some two pictures per
+/// grammar.
+std::string html(const record::Record& record, const Coverage& coverage, const Classification& words,
+                 const HtmlOptions& options = {});
 
 }  // namespace heckbert::report

@@ -34,6 +34,7 @@ Json to_json(const record::RenderInfo& info) {
           {"seed", info.seed},
           {"samples", parts},
           {"max_depth", info.max_depth},
+          {"labels", info.labels},
           {"partial", info.partial},
           {"version", info.version},
           {"ignored", info.ignored}};
@@ -48,12 +49,14 @@ Json to_json(const record::Tally& tally) {
 
 Json to_json(const std::vector<WordEnergy>& words) {
   Json list = Json::array();
-  for (const WordEnergy& word : words)
+  for (const WordEnergy& word : words) {
     list.push_back({{"word", word.word},
                     {"energy", to_json(word.energy)},
                     {"share", to_json(word.share)},
                     {"count", word.count},
                     {"length", word.length}});
+    if (word.samples_needed) list.back()["samples_needed"] = *word.samples_needed;
+  }
   return list;
 }
 

@@ -51,6 +51,14 @@ std::string counted(std::uint64_t count, const std::string& singular) {
   return grouped(count) + " " + singular + (count == 1 ? "" : "s");
 }
 
+std::string samples_text(const std::optional<double>& needed) {
+  if (!needed) return "-";
+  constexpr double kMost = 1e15;
+  const double count = std::clamp(*needed, 1.0, kMost);
+  const double unit = std::pow(10.0, std::max(std::floor(std::log10(count)) - 2, 0.0));
+  return grouped(static_cast<std::uint64_t>(std::ceil(count / unit) * unit));
+}
+
 std::string level(double confidence) {
   return fmt::format("{:g} %", 100 * confidence);
 }

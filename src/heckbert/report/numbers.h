@@ -3,6 +3,7 @@
 // energies with four significant digits, counts in groups of three. Programs read the JSON, which has all the digits.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <heckbert/record/statistics.h>
@@ -23,6 +24,8 @@ std::string aligned_number(double value, double largest);
 std::string grouped(std::uint64_t count);
 /// "1 word", "2 words".
 std::string counted(std::uint64_t count, const std::string& singular);
+/// A number of samples, three digits of it: 640 123.4 -> "641 000"; "-" when unknown.
+std::string samples_text(const std::optional<double>& needed);
 /// A confidence level: 0.95 -> "95 %".
 std::string level(double confidence);
 

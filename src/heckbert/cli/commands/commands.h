@@ -13,6 +13,7 @@ void add_render(CLI::App& app, Run& chosen);
 void add_coverage(CLI::App& app, Run& chosen);
 void add_query(CLI::App& app, Run& chosen);
 void add_classify(CLI::App& app, Run& chosen);
+void add_paths(CLI::App& app, Run& chosen);
 void add_report(CLI::App& app, Run& chosen);
 void add_match(CLI::App& app, Run& chosen);
 void add_grammar(CLI::App& app, Run& chosen);

@@ -24,6 +24,7 @@ struct QueryOptions {
   std::string record;
   std::vector<std::string> classes;  ///< "name=EXPR" or "EXPR"
   std::string output, preview;       ///< empty: not wanted
+  bool cryptomatte = false;
   bool json = false;
   SettingFlags flags;
 };
@@ -34,8 +35,9 @@ void declare(CLI::App& command, QueryOptions& options) {
       ->required();
   command.add_option("-o,--output", options.output, "pictures as OpenEXR: one EXPR as R, G, B; several as layers")
       ->type_name("FILE.exr");
-  command.add_option("--preview", options.preview, "a PNG of the first class, exposed as the whole picture")
+  command.add_option("--preview", options.preview, "a PNG of the first class; with {} in its name, one of each class")
       ->type_name("FILE.png");
+  command.add_flag("--cryptomatte", options.cryptomatte, "add the classes to the EXR as a Cryptomatte, to be picked");
   command.add_flag("--json", options.json, "print the energies as JSON");
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
@@ -43,11 +45,28 @@ void declare(CLI::App& command, QueryOptions& options) {
 constexpr const char* kExamples =
     "  heckbert query cornell.paths.exr 'LS+DE' -o caustic.exr --preview caustic.png\n"
     "  heckbert query cornell.paths.exr direct='LDE' indirect='LDD+E' -o layers.exr\n"
+    "  heckbert query cornell.paths.exr direct='LDE' indirect='LDD+E' --preview 'cornell-{}.png'\n"
+    "  heckbert query cornell.paths.exr @caustic @direct @emission -o classes.exr --cryptomatte\n"
     "  heckbert query cornell.paths.exr '!@whitted' --glossy specular --json\n";
+
+/// One picture, or one of each class where the name has a place for the class's.
+void write_previews(const std::string& name, const record::Record& record, const std::vector<ClassOfRecord>& classes) {
+  const float exposure = report::auto_exposure(record::beauty(record));
+  const std::size_t place = name.find("{}");
+  std::vector<std::string> taken;
+  for (const ClassOfRecord& item : classes) {
+    taken.push_back(record::layer_name(item.grammar.name, taken));
+    std::string file = name;
+    if (place != std::string::npos) file.replace(place, 2, taken.back());
+    write_bytes(file, png_of(record::image_of(record, item.members), exposure));
+    if (place == std::string::npos) return;
+  }
+}
 
 ExitCode run(const QueryOptions& options) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
+  if (options.cryptomatte && options.output.empty()) throw UsageError("--cryptomatte needs -o FILE.exr to go into");
   const bool to_stdout = options.output == "-" || options.preview == "-";
   if (to_stdout && options.json) throw UsageError("--json and an output '-' both want standard output");
   if (options.output == "-" && options.preview == "-") throw UsageError("two outputs would go to standard output");
@@ -58,11 +77,13 @@ ExitCode run(const QueryOptions& options) {
 
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   const bool single_unnamed = classes.size() == 1 && options.classes.front().find('=') == std::string::npos;
-  const std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy, single_unnamed);
-  if (!options.output.empty())
-    write_to(options.output, [&](const auto& path) { record::write_layers(layers, record.info, path); });
-  if (!options.preview.empty())
-    write_bytes(options.preview, png_of(layers.front().image, report::auto_exposure(record::beauty(record))));
+  if (!options.output.empty()) {
+    const std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy, single_unnamed);
+    const record::Attachment attachment = options.cryptomatte ? cryptomatte_of(record, classes) : record::Attachment{};
+    write_to(options.output, [&](const auto& path) { record::write_layers(layers, record.info, path, attachment); });
+    for (const std::string& sentence : renamed(layers)) console.note(sentence);
+  }
+  if (!options.preview.empty()) write_previews(options.preview, record, classes);
 
   console.detail("glossy bounces: " + report::describe(settings.glossy));
   for (const ClassOfRecord& item : classes) console.note(item.never);

@@ -40,6 +40,7 @@ struct RenderOptions {
   std::string resume;                   ///< empty: from the start
   bool no_preview = false, exact = false;
   std::vector<std::string> classes;  ///< "name=EXPR" or "EXPR"
+  bool cryptomatte = false;
   bool json = false;
   SettingFlags flags;
 };
@@ -59,6 +60,8 @@ void declare(CLI::App& command, RenderOptions& options) {
   command.add_option("--lpe", options.classes, "add the picture of a class as a layer; may be repeated")
       ->type_name("NAME=EXPR")
       ->allow_extra_args(false);
+  command.add_flag("--cryptomatte", options.cryptomatte,
+                   "Cryptomatte of the --lpe classes, else of all words, in the -o file");
   command.add_option("--algorithm", options.algorithm, "how to trace (default: path)")
       ->type_name(alternatives(transport::kAlgorithms));
   command.add_flag("--json", options.json, "print what was done as JSON");
@@ -73,7 +76,8 @@ constexpr const char* kExamples =
     "  heckbert render lecture --record out.paths.exr --checkpoint 60\n"
     "  heckbert render lecture --record out.paths.exr --checkpoint 60 --resume out.paths.exr\n"
     "  heckbert render lecture --record part3.paths.exr --part 3/8\n"
-    "  mpirun heckbert render lecture -o lecture.exr --record lecture.paths.exr\n";
+    "  mpirun heckbert render lecture -o lecture.exr --record lecture.paths.exr\n"
+    "  heckbert render lecture --record lecture.paths.exr --labels object,light-group\n";
 
 /// Where the results go.
 struct Outputs {
@@ -89,6 +93,7 @@ struct Outputs {
 Outputs outputs_of(const RenderOptions& options) {
   if (options.output.empty() && options.record.empty())
     throw UsageError("render needs somewhere to write to: -o FILE.exr, --record FILE.paths.exr, or both");
+  if (options.cryptomatte && options.output.empty()) throw UsageError("--cryptomatte needs -o FILE.exr to go into");
   if (options.no_preview && !options.preview.empty()) throw UsageError("--preview and --no-preview exclude each other");
   Outputs outputs{options.output, options.record, options.preview};
   if (outputs.preview.empty() && !options.no_preview && !options.output.empty() && options.output != "-")
@@ -126,6 +131,7 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
   render.seed = settings.seed.value_or(scene.seed.value_or(render.seed));
   render.filter = settings.filter.value_or(scene.filter.value_or(render.filter));
   render.sampler = settings.sampler;
+  render.labels = settings.labels;
   render.threads = settings.threads.value_or(render.threads);
   if (render.crop && (render.crop->x1 > render.width || render.crop->y1 > render.height))
     throw UsageError(
@@ -155,13 +161,16 @@ void tell_result(const Console& console, const record::Record& record, const Wor
 
 /// `sums` are kept with the record, unless there are none.
 void write_outputs(const Outputs& outputs, const record::Record& record, const record::Sums* sums,
-                   const std::vector<ClassOfRecord>& classes, const Settings& settings) {
+                   const std::vector<ClassOfRecord>& classes, bool with_cryptomatte, const Settings& settings,
+                   const Console& console) {
   const record::Image beauty = record::beauty(record);
   if (!outputs.picture.empty()) {
     std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy);
     layers.insert(layers.begin(), record::Layer{"", beauty, {}});
     add_non_path_layers(record, layers);
-    write_to(outputs.picture, [&](const auto& path) { record::write_layers(layers, record.info, path); });
+    const record::Attachment attachment = with_cryptomatte ? cryptomatte_of(record, classes) : record::Attachment{};
+    write_to(outputs.picture, [&](const auto& path) { record::write_layers(layers, record.info, path, attachment); });
+    for (const std::string& sentence : renamed(layers)) console.note(sentence);
   }
   if (!outputs.record.empty())
     write_to(outputs.record, [&](const auto& path) {
@@ -261,7 +270,7 @@ ExitCode run(const RenderOptions& options) {
   const record::Record record = record::record_of(*sums);
   const bool keeps_sums = options.exact || record.info.partial || !record.info.parts.empty();
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
-  write_outputs(outputs, record, keeps_sums ? &*sums : nullptr, classes, settings);
+  write_outputs(outputs, record, keeps_sums ? &*sums : nullptr, classes, options.cryptomatte, settings, console);
   tell_result(console, record, work, classes);
   console.note(fmt::format("wrote {}", fmt::join(outputs.all(), ", ")));
   if (options.json) fmt::print("{}", report::dump(to_json(outputs, record, work, classes, settings, imported.account)));

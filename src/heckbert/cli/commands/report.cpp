@@ -11,6 +11,7 @@
 #include <heckbert/cli/languages.h>
 #include <heckbert/cli/pictures.h>
 #include <heckbert/cli/settings.h>
+#include <heckbert/report/classify.h>
 #include <heckbert/report/contact_sheet.h>
 #include <heckbert/report/coverage.h>
 #include <heckbert/report/html.h>
@@ -55,7 +56,10 @@ ExitCode run(const ReportOptions& options) {
 
   const report::Coverage coverage =
       report::coverage(record, grammars, {.glossy_rule = settings.glossy, .confidence = settings.confidence});
-  write_bytes(options.output, report::html(record, coverage));
+  const report::Classification words =
+      report::classify(record, report::GroupBy::Word, taxonomy::GrammarLibrary{},
+                       {.glossy_rule = settings.glossy, .confidence = settings.confidence});
+  write_bytes(options.output, report::html(record, coverage, words));
   if (!options.sheet.empty()) write_bytes(options.sheet, png_of(report::contact_sheet(record, coverage)));
   if (options.json) {
     report::Json json = report::document_of("heckbert.report");
