@@ -109,6 +109,13 @@ std::vector<std::int64_t> expand(const GeneratingFunction& f, std::size_t terms)
   return series;
 }
 
+TEST(GeneratingFunction, IsInLowestTermsOrNothing) {
+  const auto of = [](const char* text) { return generating_function(compile(text)); };
+  EXPECT_EQ(of("La (Dr{5})* Ep"), (GeneratingFunction{{1}, {1, 0, 0, 0, 0, -1}}));
+  EXPECT_EQ(of("La .{10} Ep")->numerator.back(), 282'475'249);  // 7^10
+  EXPECT_FALSE(of("La .{12} Ep"));
+}
+
 TEST(GeneratingFunction, ExpandsToTheCountsOfEverySmallExpression) {
   constexpr std::size_t kTerms = 15;
   for (std::size_t size = 1; size <= 5; ++size)

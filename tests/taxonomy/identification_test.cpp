@@ -1,9 +1,12 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <heckbert/taxonomy/dot.h>
 #include <heckbert/taxonomy/explain.h>
 #include <heckbert/taxonomy/identification.h>
+#include <heckbert/taxonomy/possible.h>
 
 namespace heckbert::taxonomy {
 namespace {
@@ -54,6 +57,20 @@ TEST(Identify, NamesTheNearestNeighboursOtherwise) {
   ASSERT_EQ(found.containing.size(), 1u);
   EXPECT_EQ(found.containing[0].grammar->name, "lecture");
   EXPECT_TRUE(identify(Language::none(), builtin_grammars()).same.empty());
+}
+
+TEST(Identify, ListsNothingTwice) {
+  // Among area lights, Whitted's tracer as written and with lights that can be hit are the same.
+  const Language whitted = builtin_grammars().find("whitted")->language;
+  const auto found = identify(whitted & possible_words({.lights = single(Symbol::La)}), builtin_grammars());
+  const auto is_whitted = [](const Match& m) { return m.grammar->name == "whitted"; };
+  EXPECT_EQ(std::count_if(found.same.begin(), found.same.end(), is_whitted), 1);
+  EXPECT_EQ(identify(whitted, builtin_grammars()).same.at(0).within, 0);
+  // Ray casting, local shading and others are all the direct light of D and G where lights cannot be hit.
+  const auto near = identify(compile("L Dr E"), builtin_grammars()).containing;
+  for (std::size_t i = 0; i < near.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_NE(in_form(*near[i].grammar, near[i].form), in_form(*near[j].grammar, near[j].form));
 }
 
 TEST(Trace, VisitsTheStatesOfTheAutomaton) {

@@ -63,6 +63,7 @@ TEST(Lattice, OfTheTeachingChainIsAChainWithWitnesses) {
   for (const LatticeEdge& e : found.edges)
     text += found.nodes[e.below].names[0] + " " + plain(e.witness) + " " + found.nodes[e.above].names[0] + "\n";
   EXPECT_EQ(text, "emission LDE ray casting\nray casting LSE whitted\nwhitted LDDE all\n");
+  for (std::size_t level = 0; level < chain.size(); ++level) EXPECT_EQ(found.nodes[level].level, level);
   EXPECT_TRUE(lattice({}).nodes.empty());
 }
 

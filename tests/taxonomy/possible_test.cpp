@@ -117,5 +117,13 @@ TEST(Partition, OfJensensFourClassesHoldsForDiffuseAndSpecular) {
   EXPECT_EQ(plain(*partition(std::span(jensen).first(3), possible_words({.events = ds})).gap), "LE");
 }
 
+TEST(Partition, AsksOnlyWithinTheWhole) {
+  const std::vector<Language> classes{compile("LE | LDE | LDDE"), compile("LE | LSE | LDDE")};
+  EXPECT_TRUE(partition(classes, compile("LDE | LSE")).is_disjoint());
+  const Partition p = partition(classes, compile("LDE | LDDE"));
+  ASSERT_EQ(p.overlaps.size(), 1u);
+  EXPECT_EQ(plain(p.overlaps[0].shortest), "LDDE");
+}
+
 }  // namespace
 }  // namespace heckbert::taxonomy

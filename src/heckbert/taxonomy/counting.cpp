@@ -62,12 +62,11 @@ void trim(std::vector<std::int64_t>& polynomial) {
   while (polynomial.size() > 1 && polynomial.back() == 0) polynomial.pop_back();
 }
 
-std::optional<GeneratingFunction> guess(const std::vector<Natural>& counts, std::uint32_t prime) {
+GeneratingFunction guess(const std::vector<Natural>& counts, std::uint32_t prime) {
   std::vector<Residue> s;
   s.reserve(counts.size());
   for (const Natural& n : counts) s.push_back(n.modulo(prime));
   const Recurrence recurrence = shortest_recurrence(s, prime);
-  if (2 * recurrence.order > counts.size()) return std::nullopt;
   GeneratingFunction f{{0}, {}};
   for (const Residue r : recurrence.connection) f.denominator.push_back(nearest_to_zero(r, prime));
   for (std::size_t n = 0; n < recurrence.order; ++n) {
@@ -152,7 +151,7 @@ std::optional<GeneratingFunction> generating_function(const Language& language) 
   // Two such quotients that agree on 2 * size terms are equal.
   const std::vector<Natural> counts = count_words(language, 2 * size + 1);
   for (const std::uint32_t prime : kPrimes)
-    if (auto f = guess(counts, prime); f && holds(*f, counts)) return f;
+    if (GeneratingFunction f = guess(counts, prime); holds(f, counts)) return f;
   return std::nullopt;
 }
 
