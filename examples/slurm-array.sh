@@ -8,8 +8,8 @@
 #
 # Usage: sbatch --array=1-16 slurm-array.sh SCENE OUT.paths.exr [option of 'heckbert render' ...]
 #
-# A task that fails loses its part and nothing else: submit its number again, as in sbatch --array=3 ... with
-# PARTS=16 in the environment. A task that is killed or preempted goes on from its last checkpoint.
+# A task that fails loses its part and nothing else: submit its number again, with PARTS=16 in the environment. A task
+# that is killed or preempted goes on from its last checkpoint.
 set -euo pipefail
 heckbert=${HECKBERT:-heckbert}
 scene=$1 out=$2
