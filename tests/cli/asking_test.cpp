@@ -30,7 +30,7 @@ class Asking : public ::testing::Test {
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
     const Outcome outcome = run({"render", "lecture", "--size", "32x32", "--spp", "32", "--labels",
-                                 "object,light-group", "--record", record()});
+                                 "object,light-group", "--record", record(), "--record-precision", "float"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
   static void TearDownTestSuite() { delete folder_; }

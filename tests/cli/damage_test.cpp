@@ -285,7 +285,7 @@ TEST_F(DamagedRecord, OnAFullDiskTheOldFileStays) {
   const TemporaryFolder folder;
   const fs::path disk = folder / "disk";
   fs::create_directory(disk);
-  if (mount("heckbert", disk.c_str(), "tmpfs", 0, "size=16k") != 0)
+  if (mount("heckbert", disk.c_str(), "tmpfs", 0, "size=8k") != 0)
     GTEST_SKIP() << "no tmpfs can be mounted here: a full disk is tested by RLIMIT_FSIZE alone";
   put(disk / "old", "what was there before");
   const Outcome outcome =

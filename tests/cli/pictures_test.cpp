@@ -19,13 +19,21 @@ class Pictures : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Renders the scene into name.exr and name.paths.exr.
-  void render(const std::string& name, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{"render",   "lecture",
-                                       "--size",   "48x48",
-                                       "--spp",    "4",
-                                       "-o",       path(name + ".exr"),
-                                       "--record", path(name + ".paths.exr")};
+  /// Renders the scene into name.exr and name.paths.exr; what half precision loses has a test of its own.
+  void render(const std::string& name, const std::vector<std::string>& more = {},
+              const std::string& precision = "float") const {
+    std::vector<std::string> arguments{"render",
+                                       "lecture",
+                                       "--size",
+                                       "48x48",
+                                       "--spp",
+                                       "4",
+                                       "-o",
+                                       path(name + ".exr"),
+                                       "--record",
+                                       path(name + ".paths.exr"),
+                                       "--record-precision",
+                                       precision};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -66,6 +74,26 @@ TEST_F(Pictures, AQueryGivesTheBitsThatDeclaringGave) {
     }
     EXPECT_EQ(compared, 1) << layer;
   }
+}
+
+TEST_F(Pictures, OfAHalfRecordAreWithinItsRoundingAndItSaysSo) {
+  render("a", {"--lpe", "direct=LDE"});
+  render("half", {"--lpe", "direct=LDE"}, "half");
+  const std::vector<Layer> declared = record::read_layers(path("half.exr"));
+  EXPECT_EQ(declared[1].image.pixels, record::read_layers(path("a.exr"))[1].image.pixels)
+      << "what is declared comes from exact sums";
+  const std::vector<Rgb> asked = query("half", {"LDE"})[0].image.pixels;
+  std::size_t rounded = 0;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const Rgb exact = declared[1].image.pixels[i];
+    for (const auto& [a, b] : {std::pair{asked[i].r, exact.r}, {asked[i].g, exact.g}, {asked[i].b, exact.b}}) {
+      EXPECT_LE(std::abs(a - b), std::max(b * 0x1p-11f, 0x1p-25f)) << "one word, hence one rounding";
+      rounded += a != b ? 1 : 0;
+    }
+  }
+  EXPECT_GT(rounded, asked.size());
+  EXPECT_EQ(run({"report", path("half.paths.exr"), "-o", path("r.html")}).exit_code, 0);
+  EXPECT_NE(read_bytes(path("r.html")).find("half in pixels"), std::string::npos);
 }
 
 TEST_F(Pictures, ThePictureIsTheSumOfAllWords) {
@@ -124,7 +152,8 @@ TEST_F(Pictures, GoToStandardOutputAndComeFromStandardInput) {
   ASSERT_EQ(piped.exit_code, 0) << piped.err;
   query("a", {"LDE"});
   EXPECT_TRUE(piped.out == read_bytes(path("query.exr")));
-  const Outcome rendered = run({"render", "lecture", "--size", "48x48", "--spp", "4", "--record", "-", "--quiet"});
+  const Outcome rendered = run({"render", "lecture", "--size", "48x48", "--spp", "4", "--record", "-",
+                                "--record-precision", "float", "--quiet"});
   EXPECT_EQ(rendered.err, "");
   EXPECT_TRUE(rendered.out == record);
 }

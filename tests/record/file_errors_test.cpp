@@ -76,7 +76,7 @@ TEST(ReadRecord, RefusesATornFile) {
   const TemporaryFolder folder;
   write_record(good_record(), folder / "whole.exr");
   const std::string whole = bytes_of(folder / "whole.exr");
-  ASSERT_GT(whole.size(), 20'000u);
+  ASSERT_GT(whole.size(), 10'000u);
   for (std::size_t size = 0; size < whole.size(); size += 1 + size / 8) {
     SCOPED_TRACE(size);
     put_bytes(folder / "torn.exr", whole.substr(0, size));
@@ -133,7 +133,7 @@ TEST(ReadRecord, ChecksWhatTheFileClaims) {
   const auto swap_words = [](Record& r) { std::swap(r.words[0], r.words[1]); };
   const std::vector<std::pair<std::function<void(Record&)>, const char*>> cases{
       {[](Record& r) { r.entries[5].word = 4'000'000; }, "a pixel has an id that the id manifest lacks"},
-      {[](Record& r) { r.words.pop_back(), r.batch_means.resize(r.words.size() * kBatches); },
+      {[](Record& r) { r.words.pop_back(), r.counts.pop_back(), r.batch_means.resize(r.words.size() * kBatches); },
        "a pixel has an id that the id manifest lacks"},
       {[](Record& r) { std::swap(r.entries[0].word, r.entries[1].word); }, "ids are not ascending"},
       {[](Record& r) { r.entries[1].word = r.entries[0].word; }, "ids are not ascending"},
@@ -141,15 +141,17 @@ TEST(ReadRecord, ChecksWhatTheFileClaims) {
       {[](Record& r) { r.entries[3].energy.b = std::numeric_limits<float>::quiet_NaN(); }, "negative or not finite"},
       {[](Record& r) { r.entries[3].count = 0; }, "a word without contributions"},
       {[](Record& r) {
-         r.words.push_back({taxonomy::Symbol::Le, std::vector(20, taxonomy::Symbol::V)}),
+         r.words.push_back({taxonomy::Symbol::Le, std::vector(20, taxonomy::Symbol::V)}), r.counts.push_back(1),
              r.batch_means.resize(r.words.size() * kBatches);
        },
        "the id manifest has a word that no pixel has"},
       {swap_words, "the words of the id manifest are not sorted"},
       {[](Record& r) { r.words[1] = r.words[0]; }, "the words of the id manifest are not sorted"},
       {[](Record& r) { r.words[0].light = taxonomy::Symbol::Dr; }, "which is not a word"},
-      {[](Record& r) { r.batch_means.pop_back(); }, "'heckbert.batch_means' has"},
-      {[](Record& r) { r.batch_means[7].r = std::numeric_limits<float>::infinity(); }, "negative or infinite"},
+      {[](Record& r) { ++r.counts[2]; }, "the counts of the words are not those of their pixels"},
+      {[](Record& r) { r.counts[2] = 0; }, "the part 'words' has a word without contributions"},
+      {[](Record& r) { r.batch_means[1].r = std::numeric_limits<float>::infinity(); },
+       "the part 'words' has an energy that is negative or not finite"},
       {[](Record& r) { r.info.samples_per_pixel = 0; }, "samples per pixel is not positive"},
       {[](Record& r) { r.info.width = 5; }, "the data window reaches beyond the picture"},
   };
@@ -212,7 +214,8 @@ TEST(ReadRecord, ChecksTheHeader) {
          Imf::addIDManifest(h, manifest);
        },
        "'LDE' without subscripts"},
-      {[](Header& h) { h = without(h, "heckbert.batch_means"); }, "'heckbert.batch_means' is missing"},
+      {[](Header& h) { h.insert("heckbert.precision", Imf::StringAttribute("quarter")); },
+       "'heckbert.precision' is 'quarter'"},
       {[](Header& h) { h = without(h, "heckbert.tally.roulette"); }, "'heckbert.tally.roulette' is missing"},
       {[](Header& h) { h.insert("heckbert.tally.hits", Imf::StringAttribute("12x")); }, "'12x', not a whole number"},
       {[](Header& h) { h.insert("heckbert.seed", Imf::StringAttribute("-1")); }, "'-1', not a whole number"},

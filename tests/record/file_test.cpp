@@ -1,5 +1,6 @@
 #include <heckbert/record/file.h>
 
+#include <Imath/half.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfCompositeDeepScanLine.h>
 #include <OpenEXR/ImfDeepScanLineInputFile.h>
@@ -7,11 +8,15 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <heckbert/record/record_spool.h>
+#include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/word_literal.h>
 
 #include "synthetic.h"
@@ -43,6 +48,7 @@ TEST(RecordFile, GivesBackWhatWasWritten) {
   long_word.words = {"LDE"_word, {taxonomy::Symbol::La, std::vector(400, taxonomy::Symbol::St), taxonomy::Symbol::El}};
   long_word.entries = {{0, Rgb(1e-40f), 1}, {1, {0, 3e38f, 1}, 4294967295u}};
   long_word.offsets = {0, 2};
+  long_word.counts = {1, 4294967295u};
   long_word.batch_means.resize(std::size_t{2} * kBatches, Rgb(0.1f));
 
   const std::vector<std::pair<const char*, const Record*>> cases{{"made up", &made_up},
@@ -60,6 +66,94 @@ TEST(RecordFile, GivesBackWhatWasWritten) {
     EXPECT_TRUE(read == *record);
   }
   EXPECT_EQ(folder.names(), std::vector<std::string>{"r.exr"});
+}
+
+TEST(RecordFile, OfHalfPrecisionHasEveryEnergyRoundedOnce) {
+  const TemporaryFolder folder;
+  Record record = record_of(MadeUpLight(27), info_for({5, 3, 40, 30}, 7));
+  record.entries[3].energy = {65504, 65505, 1e9f};
+  record.entries[5].energy = {1e-9f, 0, 2e-8f};
+  record.info.precision = Precision::Half;
+  write_record(record, folder / "r.exr");
+
+  const Record read = read_record(folder / "r.exr");
+  Record expected = record;
+  expected.tally.half_clamped = 1;
+  expected.tally.half_vanished = 1;
+  const auto rounded = [](float energy) { return static_cast<float>(half(std::min(energy, 65504.0f))); };
+  for (Entry& entry : expected.entries)
+    entry.energy = {rounded(entry.energy.r), rounded(entry.energy.g), rounded(entry.energy.b)};
+  EXPECT_EQ(read.entries, expected.entries);
+  EXPECT_TRUE(read == expected);
+  EXPECT_EQ(read.entries[3].energy, Rgb(65504));
+  EXPECT_EQ(read.entries[5].energy, Rgb(0));
+
+  write_record(read, folder / "again.exr");
+  EXPECT_TRUE(bytes_of(folder / "again.exr") == bytes_of(folder / "r.exr")) << "rounded twice is rounded once";
+}
+
+TEST(RecordFile, TellsTheTotalsWithoutThePixels) {
+  const TemporaryFolder folder;
+  Record record = record_of(MadeUpLight(28), info_for({5, 3, 25, 20}, 9));
+  record.ambient.assign(record.info.window.pixel_count(), Rgb(1));
+  write_record(record, folder / "r.exr");
+  const Record totals = read_record_totals(folder / "r.exr");
+  record.entries.clear();
+  record.offsets.clear();
+  record.ambient.clear();
+  EXPECT_TRUE(totals == record);
+}
+
+TEST(RecordSpool, WritesWhatTheAssembledRecordWouldBe) {
+  const TemporaryFolder folder;
+  for (const Precision precision : {Precision::Half, Precision::Float}) {
+    RenderInfo info = info_for({5, 3, 30, 60}, 3);
+    info.precision = precision;
+    const MadeUpLight light(29);
+    TileRecorder recorder(info);
+    std::vector<Tile> tiles;
+    for (const Window& window : tiles_of(info.window, 16)) {
+      tiles.push_back(light.tile(recorder, window, info.samples_per_pixel));
+      if (tiles.size() % 3 == 0) tiles.back().ambient.assign(window.pixel_count(), RgbSum({1, 2, 3}));
+    }
+    tiles.erase(tiles.begin() + 4);  // of an interrupted render
+    std::shuffle(tiles.begin(), tiles.end(), std::mt19937(29));
+
+    RecordSpool spool(info, folder / "r.exr");
+    Assembler assembler(info);
+    for (const Tile& tile : tiles) {
+      spool.submit(tile);
+      assembler.submit(tile);
+    }
+    spool.write(folder / "spooled.exr", true);
+    Sums expected{info, added(info.window, tiles)};
+    expected.info.partial = true;
+    EXPECT_TRUE(spool.sums(true) == expected);
+    write_record(assembler.finish(true), folder / "assembled.exr");
+    EXPECT_TRUE(bytes_of(folder / "spooled.exr") == bytes_of(folder / "assembled.exr"));
+    Record totals = spool.totals(true);
+    EXPECT_FALSE(totals.ambient.empty());
+    totals.ambient.clear();
+    EXPECT_TRUE(totals == read_record_totals(folder / "spooled.exr"));
+  }
+  EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("spooled.exr", "assembled.exr"));
+}
+
+TEST(RecordSpool, RefusesTilesThatOverlap) {
+  const TemporaryFolder folder;
+  const RenderInfo info = info_for({0, 0, 8, 8}, 1);
+  const MadeUpLight light(30);
+  TileRecorder recorder(info);
+  RecordSpool spool(info, folder / "r.exr");
+  spool.submit(light.tile(recorder, {0, 0, 4, 4}, 1));
+  spool.submit(light.tile(recorder, {3, 2, 5, 5}, 1));
+  EXPECT_THROW(spool.write(folder / "r.exr", false), std::logic_error);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RecordSpool, SaysWhereItCannotKeepAnything) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(RecordSpool(info_for({0, 0, 8, 8}, 1), folder / "missing/r.exr"), WriteError);
 }
 
 TEST(RecordFile, IsTheSameBytesForTheSameRecord) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <heckbert/record/record.h>
+#include <heckbert/record/tile_pictures.h>
 #include <heckbert/taxonomy/expression.h>
 
 #include "synthetic.h"
@@ -85,6 +86,79 @@ TEST(Image, OfALanguageAndOfItsComplementAddUpToTheBeauty) {
   }
 }
 
+/// Partitions of all words: each word is in exactly one class.
+const std::vector<std::vector<const char*>> kPartitions{
+    {"L.*E"},
+    {"LE", "L.+E"},
+    {"LE", "L.E", "L..E", "L.{3}E", "L.{4,}E"},
+    {"L(.*[^S])?E", "L.*SE"},
+    {"La.*E", "Lp.*E", "Ld.*E", "Le.*E"},
+    {"L[DGS]*E", "L.*V.*E"},
+    {"L.*S.*E&L.*D.*E", "L.*S.*E-L.*D.*E", "L.*D.*E-L.*S.*E", "!(L.*[SD].*E)"},
+};
+
+/// For each word of a list, the class of the partition that has it.
+std::vector<std::size_t> class_of_words(const std::vector<const char*>& partition,
+                                        const std::vector<taxonomy::Word>& words) {
+  std::vector<std::size_t> classes;
+  for (const taxonomy::Word& word : words) {
+    std::size_t found = 0;
+    for (std::size_t c = 0; c < partition.size(); ++c)
+      if (taxonomy::compile(partition[c]).contains(word)) {
+        classes.push_back(c);
+        ++found;
+      }
+    EXPECT_EQ(found, 1u) << taxonomy::fine(word) << " and a partition that begins with " << partition[0];
+  }
+  return classes;
+}
+
+/// As sums, before anything is divided or rounded, classes add up as whole numbers.
+TEST(Sums, OfTheClassesOfAPartitionAddUpToTheBeautyExactly) {
+  const RenderInfo info = info_for({3, 2, 35, 26}, 6);
+  TileRecorder recorder(info);
+  const Tile tile = MadeUpLight(11).tile(recorder, info.window, 6);
+  for (const auto& partition : kPartitions) {
+    const std::vector<std::size_t> class_of = class_of_words(partition, tile.words);
+    for (std::size_t i = 0; i < info.window.pixel_count(); ++i) {
+      std::vector<RgbSum> classes(partition.size());
+      RgbSum whole, total;
+      for (std::size_t e = tile.offsets[i]; e < tile.offsets[i + 1]; ++e) {
+        classes[class_of[tile.entries[e].word]] += tile.entries[e].sum;
+        whole += tile.entries[e].sum;
+      }
+      for (auto c = classes.rbegin(); c != classes.rend(); ++c) total += *c;
+      ASSERT_EQ(total, whole);
+    }
+  }
+}
+
+/// As pictures each class and the beauty are rounded once to float, by half a unit in the last place, and are exact but
+/// for that: no other error is in their sum.
+TEST(Image, OfEachClassOfAPartitionErrsByItsOwnRoundingAlone) {
+  const Record& record = made_up_record();
+  const Image whole = beauty(record);
+  const auto half_a_unit = [](float value) {
+    return 0.5 * static_cast<double>(std::nextafter(value, std::numeric_limits<float>::infinity()) - value);
+  };
+  for (const auto& partition : kPartitions) {
+    const std::vector<std::size_t> class_of = class_of_words(partition, record.words);
+    std::vector<std::vector<bool>> sets(partition.size(), std::vector<bool>(record.words.size()));
+    for (std::size_t w = 0; w < class_of.size(); ++w) sets[class_of[w]][w] = true;
+    const std::vector<Image> images = images_of(record, sets);
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+      for (const auto channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+        double sum = 0, slack = half_a_unit(whole.pixels[i].*channel);
+        for (const Image& image : images) {
+          sum += static_cast<double>(image.pixels[i].*channel);
+          slack += half_a_unit(image.pixels[i].*channel);
+        }
+        ASSERT_LE(std::abs(sum - static_cast<double>(whole.pixels[i].*channel)), slack);
+      }
+    }
+  }
+}
+
 TEST(Image, OfAllWordsOneByOneAddsUpToTheBeauty) {
   const Record& record = made_up_record();
   std::vector<std::array<double, 3>> sums(record.info.window.pixel_count());
@@ -102,6 +176,27 @@ TEST(Image, OfAllWordsOneByOneAddsUpToTheBeauty) {
   for (std::size_t i = 0; i < sums.size(); ++i)
     EXPECT_EQ(whole.pixels[i],
               Rgb(static_cast<float>(sums[i][0]), static_cast<float>(sums[i][1]), static_cast<float>(sums[i][2])));
+}
+
+TEST(Image, OfManySetsAtOnceAndTileByTileIsThatOfEach) {
+  const RenderInfo info = info_for({3, 2, 35, 26}, 6);
+  const Record& record = made_up_record();
+  std::vector<Language> languages;
+  std::vector<std::vector<bool>> sets;
+  for (const char* expression : kExpressions) {
+    languages.push_back(taxonomy::compile(expression));
+    sets.push_back(members(record, languages.back(), GlossyRule::Diffuse));
+  }
+  TilePictures pictures(info, languages, GlossyRule::Diffuse);
+  TileRecorder recorder(info);
+  for (const Window& window : tiles_of(info.window, 8)) pictures.add(MadeUpLight(11).tile(recorder, window, 6));
+  const std::vector<Image> images = images_of(record, sets);
+  ASSERT_EQ(images.size(), sets.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    EXPECT_EQ(images[i].pixels, image_of(record, sets[i]).pixels);
+    EXPECT_EQ(pictures.classes()[i].pixels, images[i].pixels);
+  }
+  EXPECT_EQ(pictures.beauty().pixels, beauty(record).pixels);
 }
 
 TEST(Members, ReadGlossyEventsByTheRule) {

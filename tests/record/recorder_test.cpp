@@ -96,6 +96,9 @@ TEST(Record, HoldsWhatASlowTwinHolds) {
   std::size_t w = 0;
   for (const auto& [word, sums] : twin.batches) {
     EXPECT_EQ(record.words[w], word);
+    std::uint64_t count = 0;
+    for (const Twin::Sum& sum : sums) count += sum.count;
+    EXPECT_EQ(record.counts[w], count);
     for (std::size_t b = 0; b < kBatches; ++b) {
       const double samples = batch_sizes(40)[b] * static_cast<double>(info.window.pixel_count());
       EXPECT_EQ(record.batch_means[w * kBatches + b], mean_of(sums[b].sum, samples));

@@ -52,12 +52,15 @@ record::Record sample_record(int width, int height, const std::vector<SampleWord
     for (std::size_t b = 0; b < record::kBatches; ++b)
       record.batch_means.emplace_back(b < sample->batches.size() ? sample->batches[b] : 0.0f);
   }
+  record.counts.resize(sorted.size());
   record.offsets.push_back(0);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       for (std::uint32_t w = 0; w < sorted.size(); ++w) {
         const Rgb light = sorted[w].second->light(x, y);
-        if (!is_black(light)) record.entries.push_back({w, light, sorted[w].second->count});
+        if (is_black(light)) continue;
+        record.entries.push_back({w, light, sorted[w].second->count});
+        record.counts[w] += sorted[w].second->count;
       }
       record.offsets.push_back(record.entries.size());
     }

@@ -44,13 +44,20 @@ std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::v
   return classes;
 }
 
-std::vector<record::Layer> layers_of(const record::Record& record, const std::vector<ClassOfRecord>& classes,
+std::vector<record::Image> images_of(const record::Record& record, const std::vector<ClassOfRecord>& classes) {
+  std::vector<std::vector<bool>> sets;
+  sets.reserve(classes.size());
+  for (const ClassOfRecord& item : classes) sets.push_back(item.members);
+  return record::images_of(record, sets);
+}
+
+std::vector<record::Layer> layers_of(std::span<const record::Image> images, const std::vector<ClassOfRecord>& classes,
                                      taxonomy::GlossyRule rule, bool first_unnamed) {
   std::vector<record::Layer> layers;
   std::vector<std::string> taken;
   for (const ClassOfRecord& item : classes) {
     record::Layer layer;
-    layer.image = record::image_of(record, item.members);
+    layer.image = images[layers.size()];
     if (!layers.empty() || !first_unnamed) layer.name = record::layer_name(item.grammar.name, taken);
     taken.push_back(layer.name);
     layer.attributes["name"] = item.grammar.name;

@@ -3,6 +3,7 @@
 // afterwards gives the same bits as declaring before.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,13 @@ struct ClassOfRecord {
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence);
 
-/// One picture per class; names are made legal and distinct, attributes say the expression as it was typed, its dialect,
-/// its canonical form and the rule for G.
-/// With `first_unnamed` the first class becomes the unprefixed R, G, B.
-std::vector<record::Layer> layers_of(const record::Record& record, const std::vector<ClassOfRecord>& classes,
+/// The picture of each class.
+std::vector<record::Image> images_of(const record::Record& record, const std::vector<ClassOfRecord>& classes);
+
+/// One layer per class, of its picture; names are made legal and distinct, attributes say the expression as it was
+/// typed, its dialect, its canonical form and the rule for G. With `first_unnamed` the first class becomes the
+/// unprefixed R, G, B.
+std::vector<record::Layer> layers_of(std::span<const record::Image> images, const std::vector<ClassOfRecord>& classes,
                                      taxonomy::GlossyRule rule, bool first_unnamed = false);
 
 /// What happened to names that had to be changed, in sentences: "the layer of 'LS+DE' is called LS_DE".

@@ -38,7 +38,8 @@ constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{
 constexpr const char* kSeed = "heckbert.seed";  // as text: OpenEXR has no 64-bit attribute
 constexpr const char* kPartial = "heckbert.partial";
 constexpr const char* kHasBatches = "heckbert.has_batches";
-constexpr const char* kParts = "heckbert.parts";      // "seed of first last"; absent when all of one render
+constexpr const char* kParts = "heckbert.parts";  // "seed of first last"; absent when all of one render
+constexpr const char* kPrecision = "heckbert.precision";
 constexpr const char* kIgnored = "heckbert.ignored";  // absent when there is nothing
 
 struct ColourChannel {
@@ -47,6 +48,16 @@ struct ColourChannel {
 };
 constexpr std::array<ColourChannel, 3> kColourChannels{
     {{"R", offsetof(Rgb, r)}, {"G", offsetof(Rgb, g)}, {"B", offsetof(Rgb, b)}}};
+
+std::string_view name_of(Precision precision) {
+  return kPrecisions[static_cast<std::size_t>(precision)].name;
+}
+
+Precision precision_of(const std::string& name) {
+  for (const PrecisionFacts& facts : kPrecisions)
+    if (facts.name == name) return facts.precision;
+  throw std::runtime_error(fmt::format("the header attribute '{}' is '{}'", kPrecision, name));
+}
 
 [[noreturn]] void refuse_number(const std::string& digits, const std::string& name) {
   throw std::runtime_error(fmt::format("the header attribute '{}' is '{}', not a whole number", name, digits));
@@ -125,6 +136,7 @@ Imf::Header header_for(const RenderInfo& info) {
   header.insert(kPartial, Imf::IntAttribute(info.partial ? 1 : 0));
   header.insert(kHasBatches, Imf::IntAttribute(info.has_batches ? 1 : 0));
   if (!info.parts.empty()) header.insert(kParts, Imf::StringVectorAttribute(texts_of(info.parts)));
+  header.insert(kPrecision, Imf::StringAttribute(std::string(name_of(info.precision))));
   if (!info.ignored.empty()) header.insert(kIgnored, Imf::StringVectorAttribute(info.ignored));
   return header;
 }
@@ -141,6 +153,7 @@ RenderInfo info_of(const Imf::Header& header) {
   info.partial = attribute<Imf::IntAttribute>(header, kPartial) != 0;
   info.has_batches = attribute<Imf::IntAttribute>(header, kHasBatches) != 0;
   if (header.find(kParts) != header.end()) read_parts(attribute<Imf::StringVectorAttribute>(header, kParts), info);
+  info.precision = precision_of(attribute<Imf::StringAttribute>(header, kPrecision));
   if (header.find(kIgnored) != header.end()) info.ignored = attribute<Imf::StringVectorAttribute>(header, kIgnored);
   return info;
 }

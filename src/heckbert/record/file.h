@@ -2,11 +2,12 @@
 // Records and pictures on disk, as OpenEXR.
 //
 // A record is a multi-part file. Its first part, "paths", is a deep scan-line image: per pixel one deep sample per
-// word, with channels id (uint), R, G, B (float), count (uint), and A = 0 (half), Z = 0 (float) so that flattening adds
-// the samples up to the beauty. The id manifest gives every id its word as taxonomy::fine() spells it, and the
-// attribute "heckbert.words" repeats the words for tools that do not show manifests; other attributes "heckbert.*" hold
-// the rest, "heckbert.record" the version of this layout. Light that no path carries follows as flat
-// parts "ambient" and "phantom" when there is any. Any OpenEXR reader can recover all of it.
+// word, with channels id (uint), R, G, B (half or float), count (uint), and A = 0 (half), Z = 0 (float) so that
+// flattening adds the samples up to the beauty. The id manifest gives every id its word as taxonomy::fine() spells it,
+// and the attribute "heckbert.words" repeats the words for tools that do not show manifests; other attributes
+// "heckbert.*" hold the rest, "heckbert.record" the version of this layout. The part "words" has the batches of each
+// word (words_part.h). Light that no path carries follows as flat parts "ambient" and "phantom" when there is any. Any
+// OpenEXR reader can recover all of it.
 //
 // Files are written beside their target and renamed, so a failure never leaves half a file (atomic_file.h).
 
@@ -22,11 +23,14 @@
 
 namespace heckbert::record {
 
-/// Errors: WriteError with the path and the system's reason.
+/// In the precision that record.info says. Errors: WriteError with the path and the system's reason.
 void write_record(const Record& record, const std::filesystem::path& path);
-/// What write_record wrote, exactly; everything in the file is checked before it is believed.
+/// What was written, exactly; everything in the file is checked before it is believed.
 /// Errors: ReadError saying what the file is instead, or where it is torn.
 Record read_record(const std::filesystem::path& path);
+/// The same without pixels, that is without offsets, entries, ambient and phantom light: enough for all questions about
+/// the picture as a whole, at a fraction of the cost.
+Record read_record_totals(const std::filesystem::path& path);
 
 /// A record that keeps its sums, in parts of their own ("sums", "samples", "batches"; see sums_parts.h): some 15 bytes
 /// more for each pair of pixel and word. read_record() reads its means, read_sums() what can be added to.

@@ -31,6 +31,19 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
+/// How finely the energies of pixels are kept in a file. Sums over the picture are as exact in either.
+enum class Precision : std::uint8_t { Half, Float };
+
+struct PrecisionFacts {
+  Precision precision;
+  std::string_view name, meaning;
+};
+
+inline constexpr std::array<PrecisionFacts, 2> kPrecisions{{
+    {Precision::Half, "half", "11 bits, from 3e-8 to 65504"},
+    {Precision::Float, "float", "24 bits"},
+}};
+
 /// What was rendered and how; stored in the file's header.
 struct RenderInfo {
   std::string scene{};       ///< file or built-in name
@@ -51,6 +64,7 @@ struct RenderInfo {
   std::string labels{};                ///< what letters are labelled with, "object,light-group"; empty: nothing
   std::string version{};               ///< of the tool
   std::vector<std::string> ignored{};  ///< what the scene's file says and was not used, in sentences with their places
+  Precision precision = Precision::Float;  ///< of the energies by pixel, where they are or will be written
   bool operator==(const RenderInfo&) const = default;
 };
 
@@ -71,6 +85,8 @@ struct Tally {
   std::uint64_t rejected_not_finite = 0, rejected_negative = 0;
   /// Contributions brighter than kMostLight, added as kMostLight, and those too faint for a quantum (sum.h).
   std::uint64_t clamped = 0, vanished = 0;
+  /// Energies of a word at a pixel that half precision cannot hold: written as 65504, or as 0.
+  std::uint64_t half_clamped = 0, half_vanished = 0;
   /// Luminance that the depth limit cut off, as the tracer estimates it: sum over the samples, and sum of the squares.
   Quanta cut_off = 0, cut_off_squares = 0;
   Tally& operator+=(const Tally& other);
@@ -82,7 +98,7 @@ struct TallyFacts {
   std::uint64_t Tally::*field;
 };
 
-inline constexpr std::array<TallyFacts, 12> kTallyFields{{
+inline constexpr std::array<TallyFacts, 14> kTallyFields{{
     {"samples", &Tally::samples},
     {"hits", &Tally::hits},
     {"next_events", &Tally::next_events},
@@ -95,6 +111,8 @@ inline constexpr std::array<TallyFacts, 12> kTallyFields{{
     {"rejected_negative", &Tally::rejected_negative},
     {"clamped", &Tally::clamped},
     {"vanished", &Tally::vanished},
+    {"half_clamped", &Tally::half_clamped},
+    {"half_vanished", &Tally::half_vanished},
 }};
 
 struct TallySumFacts {
@@ -123,6 +141,7 @@ struct Record {
   RenderInfo info;
   Tally tally;
   std::vector<taxonomy::Word> words;  ///< sorted, distinct, each present in some entry
+  std::vector<std::uint64_t> counts;  ///< by word: contributions in the whole picture
   std::vector<std::size_t> offsets;   ///< pixel i of the window, row by row, has entries [offsets[i], offsets[i+1])
   std::vector<Entry> entries;         ///< within a pixel sorted by word
   /// Per word and batch, the picture mean of the energy estimated from that batch alone; shape words x kBatches,
@@ -154,5 +173,7 @@ std::vector<std::vector<bool>> members(const Record& record, std::span<const tax
 Image beauty(const Record& record);
 /// The sum of the chosen words at every pixel, in the same order of addition as beauty(). `chosen` is by word.
 Image image_of(const Record& record, const std::vector<bool>& chosen);
+/// The same for many sets of words, which may overlap, in one pass.
+std::vector<Image> images_of(const Record& record, const std::vector<std::vector<bool>>& sets);
 
 }  // namespace heckbert::record

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -109,10 +109,13 @@ class TileRecorder final : public PathSink {
   float batch_weight_ = 1;  ///< of the current pixel's samples in their batches: one over their repeats
 };
 
+class WordSums;
+
 /// Thread-safe: tiles may be submitted from any thread in any order.
 class Assembler {
  public:
   explicit Assembler(RenderInfo info);
+  ~Assembler();
   /// Windows of different tiles do not overlap. Errors: std::logic_error when the tile breaks its own contract.
   void submit(Tile tile);
   /// The record of all submitted tiles; pixels of none stay empty, and `partial` says so in the record's info. Sorts
@@ -122,9 +125,8 @@ class Assembler {
  private:
   RenderInfo info_;
   std::mutex mutex_;
-  std::vector<Tile> tiles_;                        ///< without words and batch sums; entries by number in ids_
-  std::map<taxonomy::Word, std::uint32_t> ids_;    ///< numbered as they came
-  std::vector<std::vector<BatchSum>> batch_sums_;  ///< by number in ids_, sorted by batch
+  std::vector<Tile> tiles_;  ///< without words and batch sums; entries by number in words_
+  std::unique_ptr<WordSums> words_;
 };
 
 }  // namespace heckbert::record

@@ -23,19 +23,22 @@ bool is_inside(const record::Window& window, int x, int y) {
 
 Energies::Energies(const record::Record& record, double confidence, Part part)
     : record_(record), statistics_(record.info, confidence), part_(std::move(part)), words_(record.words.size()) {
-  const record::Window& window = record.info.window;
-  const record::Window asked = part_.pixels.value_or(window);
+  if (part_.pixels)
+    look_at_pixels(*part_.pixels);
+  else
+    for (std::size_t word = 0; word < words_.size(); ++word) words_[word].count = record.counts[word];
+  for (std::size_t word = 0; word < record.words.size(); ++word) add_word(total_, word);
+}
+
+void Energies::look_at_pixels(const record::Window& asked) {
+  const record::Window& window = record_.info.window;
   std::size_t pixel = 0;
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x, ++pixel) {
       const bool is_asked = is_inside(asked, x, y);
-      for (std::size_t e = record.offsets[pixel]; e < record.offsets[pixel + 1]; ++e) {
-        const record::Entry& entry = record.entries[e];
+      for (std::size_t e = record_.offsets[pixel]; e < record_.offsets[pixel + 1]; ++e) {
+        const record::Entry& entry = record_.entries[e];
         OfWord& word = words_[entry.word];
-        if (!part_.pixels) {
-          word.count += entry.count;
-          continue;
-        }
         const auto light = static_cast<double>(luminance(entry.energy));
         const double scatter = light * light / entry.count;
         word.scatter_all += scatter;
@@ -45,7 +48,6 @@ Energies::Energies(const record::Record& record, double confidence, Part part)
         word.scatter += scatter;
       }
     }
-  for (std::size_t word = 0; word < record.words.size(); ++word) add_word(total_, word);
 }
 
 void Energies::add_word(Sums& sums, std::size_t word, double weight) const {

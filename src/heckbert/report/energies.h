@@ -35,7 +35,8 @@ inline constexpr std::size_t kNoGroup = std::numeric_limits<std::size_t>::max();
 
 class Energies {
  public:
-  /// O(entries + words x batches); refers to the record, which must outlive it. Words outside of the part belong to no
+  /// O(words x batches), and of a region O(entries); refers to the record, which must outlive it and needs no pixels
+  /// unless a region is asked. Words outside of the part belong to no
   /// group.
   Energies(const record::Record& record, double confidence, Part part = {});
 
@@ -68,6 +69,8 @@ class Energies {
     record::BatchSeries batches{};
     OfWord entries;
   };
+  /// Fills words_ from the entries.
+  void look_at_pixels(const record::Window& asked);
   void add_word(Sums& sums, std::size_t word, double weight = 1) const;
   static void add(Sums& sums, const Sums& more);
   GroupEnergy estimate(const Sums& sums) const;

@@ -45,6 +45,15 @@ std::string samples_text(const record::RenderInfo& info) {
   return fmt::format("{}", fmt::join(ranges, "; "));
 }
 
+std::string precision(const record::RenderInfo& info, const record::Tally& tally) {
+  const record::PrecisionFacts& facts = record::kPrecisions[static_cast<std::size_t>(info.precision)];
+  std::string text = fmt::format("{} in pixels ({}); sums over the picture are exact", facts.name, facts.meaning);
+  if (tally.half_clamped + tally.half_vanished > 0)
+    text += fmt::format("; {} energies were too bright for that and {} too faint", grouped(tally.half_clamped),
+                        grouped(tally.half_vanished));
+  return text;
+}
+
 }  // namespace
 
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally) {
@@ -65,6 +74,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
       {"Cut off", cut_off_text(tally)},
       {"Rejected", rejected(tally)},
       {"Out of range", rounding(tally)},
+      {"Precision", precision(info, tally)},
       {"Version", "heckbert " + info.version},
   };
 }
@@ -85,6 +95,11 @@ std::vector<std::string> warnings(const record::RenderInfo& info, const record::
   if (tally.rejected_not_finite + tally.rejected_negative > 0)
     found.push_back(fmt::format("Contributions were left out because they were no light: {}.", rejected(tally)));
   if (tally.clamped > 0) found.push_back(fmt::format("Contributions were out of range: {}.", rounding(tally)));
+  if (tally.half_clamped > 0)
+    found.push_back(
+        fmt::format("{} energies of pixels are too bright for half precision and were cut to 65504 in the "
+                    "record; --record-precision float keeps them.",
+                    grouped(tally.half_clamped)));
   if (!info.has_batches)
     found.push_back("The paths were imported as sums: how much they scatter is not known, and no interval is given.");
   else if (record::batches_in_use(info) < 2)

@@ -36,6 +36,7 @@ Json to_json(const record::RenderInfo& info) {
           {"max_depth", info.max_depth},
           {"labels", info.labels},
           {"partial", info.partial},
+          {"precision", record::kPrecisions[static_cast<std::size_t>(info.precision)].name},
           {"version", info.version},
           {"ignored", info.ignored}};
 }

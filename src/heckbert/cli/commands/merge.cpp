@@ -9,6 +9,7 @@
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/files.h>
+#include <heckbert/cli/record_precision.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/record/file.h>
 #include <heckbert/report/facts.h>
@@ -20,7 +21,7 @@ namespace {
 
 struct MergeOptions {
   std::vector<std::string> records;
-  std::string output;
+  std::string output, precision;
   bool exact = false, json = false;
   SettingFlags flags;
 };
@@ -30,6 +31,7 @@ void declare(CLI::App& command, MergeOptions& options) {
   command.add_option("-o,--output", options.output, "the record of all of them")
       ->type_name("FILE.paths.exr")
       ->required();
+  add_precision(command, options.precision);
   command.add_flag("--exact", options.exact, "keep the sums even when nothing is missing, to merge more later");
   command.add_flag("--json", options.json, "print what was merged as JSON");
   add_settings(command, options.flags, {});
@@ -85,13 +87,15 @@ ExitCode run(const MergeOptions& options) {
   const Console console(resolve(options.flags));
   if (options.output == "-" && options.json) throw UsageError("--json and an output '-' both want standard output");
   check_writable(options.output);
+  const record::Precision precision = precision_of(options.precision);
   Merger merger(console);
   for (const std::string& name : options.records) merger.add(name);
 
   const record::Sums& sums = merger.sums();
   const std::vector<record::SampleRange> missing = record::missing_of(record::samples_of(sums.info));
   const bool keeps_sums = options.exact || sums.info.partial || !missing.empty();
-  const record::Record record = record::record_of(sums);
+  record::Record record = record::record_of(sums);
+  if (!keeps_sums) record.info.precision = precision;
   write_to(options.output,
            [&](const auto& path) { keeps_sums ? record::write_sums(sums, path) : record::write_record(record, path); });
 

@@ -20,8 +20,10 @@
 #include <heckbert/cli/pictures.h>
 #include <heckbert/cli/pilot.h>
 #include <heckbert/cli/ranks.h>
+#include <heckbert/cli/record_precision.h>
 #include <heckbert/cli/scenes.h>
 #include <heckbert/cli/settings.h>
+#include <heckbert/cli/streamed.h>
 #include <heckbert/cli/tracing.h>
 #include <heckbert/import/import.h>
 #include <heckbert/record/file.h>
@@ -38,6 +40,7 @@ struct RenderOptions {
   std::string algorithm{transport::kAlgorithms.front().name};
   std::string output, record, preview;  ///< empty: not wanted
   std::string resume;                   ///< empty: from the start
+  std::string precision;                ///< of the record
   bool no_preview = false, exact = false;
   std::vector<std::string> classes;  ///< "name=EXPR" or "EXPR"
   bool cryptomatte = false;
@@ -51,6 +54,7 @@ void declare(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.output, "the picture and its class layers, as OpenEXR")
       ->type_name("FILE.exr");
   command.add_option("--record", options.record, "the record, for all later questions")->type_name("FILE.paths.exr");
+  add_precision(command, options.precision);
   command.add_flag("--exact", options.exact, "keep sums in the record, so that others can be merged with it");
   command.add_option("--resume", options.resume, "go on from the record of an interrupted render")
       ->type_name("FILE.paths.exr");
@@ -159,24 +163,61 @@ void tell_result(const Console& console, const record::Record& record, const Wor
   }
 }
 
-/// `sums` are kept with the record, unless there are none.
-void write_outputs(const Outputs& outputs, const record::Record& record, const record::Sums* sums,
-                   const std::vector<ClassOfRecord>& classes, bool with_cryptomatte, const Settings& settings,
-                   const Console& console) {
-  const record::Image beauty = record::beauty(record);
+/// What a render came to.
+struct Result {
+  record::Record record;                 ///< pixels may be missing
+  std::optional<record::Sums> sums{};    ///< to be kept with the record
+  std::vector<ClassOfRecord> classes{};  ///< that were asked for
+  record::Image beauty{};
+  std::vector<record::Image> images{};  ///< by class
+};
+
+/// From a record that was held in memory.
+Result result_of(record::Sums sums, bool keeps_sums, record::Precision precision,
+                 const std::vector<taxonomy::Grammar>& grammars, const Settings& settings) {
+  sums.info.precision = keeps_sums ? record::Precision::Float : precision;
+  Result result{.record = record::record_of(keeps_sums ? sums : std::move(sums))};
+  if (keeps_sums) result.sums = std::move(sums);
+  result.classes = classes_of(result.record, grammars, settings.glossy, settings.confidence);
+  result.beauty = record::beauty(result.record);
+  result.images = images_of(result.record, result.classes);
+  return result;
+}
+
+/// From tiles that were let go.
+Result result_of(const Streamed& streamed, bool is_done, const std::vector<taxonomy::Grammar>& grammars,
+                 const Settings& settings) {
+  Result result{.record = streamed.spool.totals(!is_done)};
+  result.classes = classes_of(result.record, grammars, settings.glossy, settings.confidence);
+  result.beauty = streamed.pictures.beauty();
+  const auto images = streamed.pictures.classes();
+  result.images.assign(images.begin(), images.end());
+  return result;
+}
+
+void write_outputs(const Outputs& outputs, const Result& result, const Streamed* streamed, bool with_cryptomatte,
+                   const Settings& settings, const Console& console) {
   if (!outputs.picture.empty()) {
-    std::vector<record::Layer> layers = layers_of(record, classes, settings.glossy);
-    layers.insert(layers.begin(), record::Layer{"", beauty, {}});
-    add_non_path_layers(record, layers);
-    const record::Attachment attachment = with_cryptomatte ? cryptomatte_of(record, classes) : record::Attachment{};
-    write_to(outputs.picture, [&](const auto& path) { record::write_layers(layers, record.info, path, attachment); });
+    std::vector<record::Layer> layers = layers_of(result.images, result.classes, settings.glossy);
+    layers.insert(layers.begin(), record::Layer{"", result.beauty, {}});
+    add_non_path_layers(result.record, layers);
+    const record::Attachment attachment =
+        with_cryptomatte ? cryptomatte_of(result.record, result.classes) : record::Attachment{};
+    write_to(outputs.picture,
+             [&](const auto& path) { record::write_layers(layers, result.record.info, path, attachment); });
     for (const std::string& sentence : renamed(layers)) console.note(sentence);
   }
   if (!outputs.record.empty())
     write_to(outputs.record, [&](const auto& path) {
-      sums != nullptr ? record::write_sums(*sums, path) : record::write_record(record, path);
+      if (result.sums)
+        record::write_sums(*result.sums, path);
+      else if (streamed != nullptr)
+        streamed->spool.write(path, result.record.info.partial);
+      else
+        record::write_record(result.record, path);
     });
-  if (!outputs.preview.empty()) write_bytes(outputs.preview, png_of(beauty, report::auto_exposure(beauty)));
+  if (!outputs.preview.empty())
+    write_bytes(outputs.preview, png_of(result.beauty, report::auto_exposure(result.beauty)));
 }
 
 report::Json to_json(const Outputs& outputs, const record::Record& record, const Work& work,
@@ -243,6 +284,7 @@ ExitCode run(const RenderOptions& options) {
   const Outputs outputs = outputs_of(options);
   const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "--lpe", settings);
   choose_flag("--algorithm", options.algorithm, transport::kAlgorithms);
+  const record::Precision precision = precision_of(options.precision);
   const import::Imported imported = load_scene(options.scene);
   transport::RenderSettings render = render_settings(options, settings, imported.scene.defaults, ranks);
   tell_account(console, options.scene, imported.account);
@@ -258,22 +300,38 @@ ExitCode run(const RenderOptions& options) {
                            render.height, render.samples_per_pixel, options.algorithm, render.seed, render.max_depth));
 
   Work work;
-  const TracingJob job = job_of(options, settings, render, imported, outputs, ranks);
-  std::optional<record::Sums> sums = trace(imported.scene, job, console, interrupt.stop(), work);
-  if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
-  if (!sums) {
-    part_from(ranks, job.keep);
-    ranks.leave();
-    return ExitCode::Done;
+  TracingJob job = job_of(options, settings, render, imported, outputs, ranks);
+  std::optional<record::Sums> sums;
+  std::optional<Streamed> streamed;
+  bool is_done = false;
+  // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks; all else is let go tile by
+  // tile.
+  if (options.exact || options.cryptomatte || job.checkpoint || !job.resume.empty() || render.part.of > 1) {
+    sums = trace(imported.scene, job, console, interrupt.stop(), work);
+    if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
+    if (!sums) {
+      part_from(ranks, job.keep);
+      ranks.leave();
+      return ExitCode::Done;
+    }
+  } else {
+    job.info.precision = precision;
+    std::vector<taxonomy::Language> languages;
+    for (const taxonomy::Grammar& grammar : grammars) languages.push_back(grammar.language);
+    streamed.emplace(job.info, outputs.record, languages, settings.glossy);
+    is_done = trace(imported.scene, job, console, interrupt.stop(), work, *streamed);
+    if (!is_done && !outputs.record.empty()) sums = streamed->spool.sums(true);  // to be resumed
   }
 
-  const record::Record record = record::record_of(*sums);
-  const bool keeps_sums = options.exact || record.info.partial || !record.info.parts.empty();
-  const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
-  write_outputs(outputs, record, keeps_sums ? &*sums : nullptr, classes, options.cryptomatte, settings, console);
-  tell_result(console, record, work, classes);
+  const bool keeps_sums = sums && (options.exact || sums->info.partial || !sums->info.parts.empty());
+  const Result result = sums ? result_of(std::move(*sums), keeps_sums, precision, grammars, settings)
+                             : result_of(*streamed, is_done, grammars, settings);
+  const record::Record& record = result.record;
+  write_outputs(outputs, result, streamed ? &*streamed : nullptr, options.cryptomatte, settings, console);
+  tell_result(console, record, work, result.classes);
   console.note(fmt::format("wrote {}", fmt::join(outputs.all(), ", ")));
-  if (options.json) fmt::print("{}", report::dump(to_json(outputs, record, work, classes, settings, imported.account)));
+  if (options.json)
+    fmt::print("{}", report::dump(to_json(outputs, record, work, result.classes, settings, imported.account)));
   if (ranks.count() > 1) part_from(ranks, job.keep);
   ranks.leave();
   return record.info.partial ? ExitCode::Interrupted : ExitCode::Done;

@@ -1,0 +1,85 @@
+#include <heckbert/record/deep_rows.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include <heckbert/record/exr.h>
+
+namespace heckbert::record::exr {
+
+namespace {
+
+/// Rows that are handed to OpenEXR at once: enough for all its threads, and few beside a picture.
+constexpr int kBandRows = 32;
+
+/// The base address that OpenEXR wants, from which x and y count: the one of pixel (0, 0), wherever the window starts.
+template <class T>
+char* base_of(T* pixels, const Window& window) {
+  const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(window.y0) * window.width() + window.x0;
+  return reinterpret_cast<char*>(pixels) - before * static_cast<std::ptrdiff_t>(sizeof(T));
+}
+
+/// Tells OpenEXR where samples are. Costs 8 bytes per pixel and channel.
+struct DeepFrame {
+  DeepFrame(const Window& window, unsigned* counts, const DeepLayout& layout)
+      : first_values(layout.channels.size() * window.pixel_count()) {
+    const auto width = static_cast<std::size_t>(window.width());
+    buffer.insertSampleCountSlice({Imf::UINT, base_of(counts, window), sizeof(unsigned), sizeof(unsigned) * width});
+    char** first = first_values.data();
+    for (const DeepChannel& channel : layout.channels) {
+      buffer.insert(channel.name,
+                    {channel.type, base_of(first, window), sizeof(char*), sizeof(char*) * width, layout.bytes});
+      first += window.pixel_count();
+    }
+  }
+
+  /// Takes: the address of the first struct of the first pixel.
+  void point_at(char* samples, const std::vector<unsigned>& counts, const DeepLayout& layout) {
+    char** first = first_values.data();
+    for (const DeepChannel& channel : layout.channels) {
+      char* next = samples + channel.offset;
+      for (const unsigned count : counts) {
+        *first++ = count == 0 ? nullptr : next;
+        next += count * layout.bytes;
+      }
+    }
+  }
+
+  std::vector<char*> first_values;  // by channel and pixel
+  Imf::DeepFrameBuffer buffer;
+};
+
+}  // namespace
+
+void write_deep(Imf::DeepScanLineOutputPart part, const Window& window, const DeepLayout& layout, ZeroChannels zeros,
+                const std::function<void(DeepBand&)>& fill) {
+  float zero = 0;
+  char* zero_sample = reinterpret_cast<char*>(&zero);
+  DeepBand band;
+  for (int y = window.y0; y < window.y1; y += kBandRows) {
+    band.window = {window.x0, y, window.x1, std::min(y + kBandRows, window.y1)};
+    band.counts.clear();
+    band.samples.clear();
+    fill(band);
+    DeepFrame frame(band.window, band.counts.data(), layout);
+    frame.point_at(band.samples.data(), band.counts, layout);
+    for (const auto& [name, type] : zeros)
+      frame.buffer.insert(name, {type, reinterpret_cast<char*>(&zero_sample), 0, 0, 0});
+    part.setFrameBuffer(frame.buffer);
+    part.writePixels(band.window.height());
+  }
+}
+
+std::vector<unsigned> read_deep(Imf::DeepScanLineInputPart part, const DeepLayout& layout,
+                                const std::function<char*(std::size_t)>& allocate) {
+  const Window window = window_of(part.header().dataWindow());
+  std::vector<unsigned> counts(window.pixel_count());
+  DeepFrame frame(window, counts.data(), layout);
+  part.setFrameBuffer(frame.buffer);
+  part.readPixelSampleCounts(window.y0, window.y1 - 1);
+  frame.point_at(allocate(std::accumulate(counts.begin(), counts.end(), std::size_t{0})), counts, layout);
+  part.readPixels(window.y0, window.y1 - 1);
+  return counts;
+}
+
+}  // namespace heckbert::record::exr

@@ -1,0 +1,117 @@
+#include <heckbert/record/record_header.h>
+
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfStringVectorAttribute.h>
+
+#include <heckbert/record/exr.h>
+
+namespace heckbert::record::exr {
+
+namespace {
+
+constexpr int kLayoutVersion = 2;
+constexpr const char* kLayout = "heckbert.record";
+constexpr const char* kWords = "heckbert.words";
+constexpr const char* kIdChannel = "id";
+
+std::string tally_name(std::string_view name) {
+  return fmt::format("heckbert.tally.{}", name);
+}
+
+Imf::IDManifest manifest_of(const Imf::StringVector& words) {
+  Imf::IDManifest manifest;
+  Imf::IDManifest::ChannelGroupManifest& group = manifest.add(kIdChannel);
+  group.setComponent("word");
+  group.setLifetime(Imf::IDManifest::LIFETIME_FRAME);
+  group.setHashScheme(Imf::IDManifest::NOTHASHED);
+  group.setEncodingScheme(Imf::IDManifest::ID_SCHEME);
+  for (std::size_t w = 0; w < words.size(); ++w) group.insert(w, words[w]);
+  return manifest;
+}
+
+void check_info(const RenderInfo& info) {
+  const Window& window = info.window;
+  require(window.x0 >= 0 && window.y0 >= 0 && window.x1 <= info.width && window.y1 <= info.height,
+          "the data window reaches beyond the picture");
+  require(info.samples_per_pixel >= 1, "the number of samples per pixel is not positive");
+}
+
+std::vector<taxonomy::Word> read_words(const Imf::Header& header, std::uint64_t file_bytes) {
+  require(Imf::hasIDManifest(header), "the id manifest is missing");
+  const Imf::CompressedIDManifest& packed = Imf::idManifest(header);
+  require(can_unpack_to(packed._uncompressedDataSize, file_bytes),
+          "the file is damaged: its id manifest promises more words than it can hold");
+  const Imf::IDManifest manifest(packed);
+  const std::size_t group = manifest.find(kIdChannel);
+  require(group < manifest.size(), "the id manifest does not tell about the channel 'id'");
+  std::vector<taxonomy::Word> words;
+  words.reserve(manifest[group].size());
+  for (auto i = manifest[group].begin(); !(i == manifest[group].end()); ++i) {
+    require(i.id() == words.size() && i.text().size() == 1, "the id manifest does not number the words 0, 1, 2 ...");
+    const std::string& text = i.text().front();
+    try {
+      words.push_back(taxonomy::parse_word(text));
+    } catch (const InputError&) {
+      throw std::runtime_error(fmt::format("the id manifest has '{}', which is not a word", text));
+    }
+    require(taxonomy::fine(words.back()) == text, fmt::format("the id manifest has '{}' without subscripts", text));
+    require(words.size() < 2 || words[words.size() - 2] < words.back(), "the words of the id manifest are not sorted");
+  }
+  return words;
+}
+
+}  // namespace
+
+Imf::Header part_header(const RenderInfo& info, const char* name, const std::string& type, const Window& window) {
+  Imf::Header header(box_of({0, 0, info.width, info.height}), box_of(window));
+  header.setName(name);
+  header.setType(type);
+  header.compression() = type == Imf::DEEPSCANLINE ? Imf::ZIPS_COMPRESSION : Imf::ZIP_COMPRESSION;
+  return header;
+}
+
+void insert_totals(Imf::Header& header, const Record& record) {
+  header.insert(kLayout, Imf::IntAttribute(kLayoutVersion));
+  Imf::StringVector words;
+  words.reserve(record.words.size());
+  for (const taxonomy::Word& word : record.words) words.push_back(taxonomy::fine(word));
+  header.insert(kWords, Imf::StringVectorAttribute(words));
+  Imf::addIDManifest(header, manifest_of(words));
+  for (const TallyFacts& facts : kTallyFields)
+    header.insert(tally_name(facts.name), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
+  for (const TallySumFacts& facts : kTallySums)
+    header.insert(tally_name(facts.name), Imf::StringAttribute(fmt::to_string(record.tally.*facts.field)));
+}
+
+void check_layout(const Imf::Header& header) {
+  const std::string wanted =
+      fmt::format("expected a record, that is a deep EXR with the attribute '{}' = {}", kLayout, kLayoutVersion);
+  require(header.hasType() && header.type() == Imf::DEEPSCANLINE, fmt::format("this is a flat EXR; {}", wanted));
+  const auto* layout = header.findTypedAttribute<Imf::IntAttribute>(kLayout);
+  require(layout != nullptr, fmt::format("this is a deep EXR of another kind; {}", wanted));
+  require(layout->value() == kLayoutVersion,
+          fmt::format("this is a record of layout version {}; {}", layout->value(), wanted));
+}
+
+Record read_totals(const Imf::Header& header, std::uint64_t file_bytes) {
+  Record record;
+  record.info = info_of(header);
+  check_info(record.info);
+  require(can_unpack_to(record.info.window.pixel_count() * sizeof(unsigned), file_bytes),
+          "the file is damaged: it promises more pixels than it can hold");
+  for (const TallyFacts& facts : kTallyFields) {
+    const std::string name = tally_name(facts.name);
+    record.tally.*facts.field = parse_number(attribute<Imf::StringAttribute>(header, name), name);
+  }
+  for (const TallySumFacts& facts : kTallySums) {
+    const std::string name = tally_name(facts.name);
+    record.tally.*facts.field = parse_quanta(attribute<Imf::StringAttribute>(header, name), name);
+  }
+  record.words = read_words(header, file_bytes);
+  return record;
+}
+
+}  // namespace heckbert::record::exr

@@ -1,0 +1,110 @@
+#include <heckbert/record/word_sums.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace heckbert::record {
+
+namespace {
+
+void require(bool holds, const char* claim) {
+  if (!holds) throw std::logic_error(claim);
+}
+
+/// Adds to the sums of one word, sorted by batch.
+void add_to(std::vector<BatchSum>& sums, const BatchSum& more) {
+  const auto place = std::lower_bound(sums.begin(), sums.end(), more.batch,
+                                      [](const BatchSum& sum, std::uint32_t batch) { return sum.batch < batch; });
+  if (place == sums.end() || place->batch != more.batch) {
+    sums.insert(place, more);
+  } else {
+    place->count += more.count;
+    place->sum += more.sum;
+  }
+}
+
+bool is_inside(const Window& inner, const Window& outer) {
+  return outer.x0 <= inner.x0 && inner.x0 < inner.x1 && inner.x1 <= outer.x1 &&  //
+         outer.y0 <= inner.y0 && inner.y0 < inner.y1 && inner.y1 <= outer.y1;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> WordSums::add(const Tile& tile) {
+  tally_ += tile.tally;
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(tile.words.size());
+  for (const taxonomy::Word& word : tile.words)
+    numbers.push_back(numbers_.try_emplace(word, static_cast<std::uint32_t>(numbers_.size())).first->second);
+  batches_.resize(numbers_.size());
+  for (const BatchSum& sum : tile.batch_sums) add_to(batches_[numbers[sum.word]], sum);
+  return numbers;
+}
+
+Record WordSums::totals(const RenderInfo& info) const {
+  Record record;
+  record.info = info;
+  record.tally = tally_;
+  record.words.reserve(numbers_.size());
+  record.counts.reserve(numbers_.size());
+  record.batch_means.resize(numbers_.size() * kBatches);
+  const auto sizes = batch_sizes(info);
+  const auto pixels = static_cast<double>(info.window.pixel_count());
+  for (const auto& [word, number] : numbers_) {
+    Rgb* const means = &record.batch_means[record.words.size() * kBatches];
+    std::uint64_t count = 0;
+    for (const BatchSum& sum : batches_[number]) {
+      means[sum.batch] = mean_of(sum.sum, sizes[sum.batch] * pixels);
+      count += sum.count;
+    }
+    record.words.push_back(word);
+    record.counts.push_back(count);
+  }
+  return record;
+}
+
+Tile WordSums::tile() const {
+  Tile tile;
+  tile.tally = tally_;
+  tile.words.reserve(numbers_.size());
+  for (const auto& [word, number] : numbers_) {
+    for (BatchSum sum : batches_[number]) {
+      sum.word = static_cast<std::uint32_t>(tile.words.size());
+      tile.batch_sums.push_back(sum);
+    }
+    tile.words.push_back(word);
+  }
+  return tile;
+}
+
+std::vector<std::uint32_t> WordSums::ranks() const {
+  std::vector<std::uint32_t> ranks(numbers_.size());
+  std::uint32_t rank = 0;
+  for (const auto& [word, number] : numbers_) ranks[number] = rank++;
+  return ranks;
+}
+
+void check_tile(const Tile& tile, const Window& window) {
+  require(is_inside(tile.window, window), "a tile lies inside the picture's window");
+  require(tile.offsets.size() == tile.window.pixel_count() + 1 && tile.offsets.back() == tile.entries.size() &&
+              tile.samples.size() == tile.window.pixel_count(),
+          "a tile's lists fit its window");
+  require(std::is_sorted(tile.words.begin(), tile.words.end()), "a tile's words are sorted");
+}
+
+std::vector<std::vector<std::size_t>> windows_by_row(const std::vector<Window>& windows, const Window& window) {
+  std::vector<std::size_t> order(windows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return windows[a].x0 < windows[b].x0; });
+  std::vector<std::vector<std::size_t>> rows(static_cast<std::size_t>(window.height()));
+  for (const std::size_t i : order)
+    for (int y = windows[i].y0; y < windows[i].y1; ++y) {
+      std::vector<std::size_t>& row = rows[static_cast<std::size_t>(y - window.y0)];
+      require(row.empty() || windows[row.back()].x1 <= windows[i].x0, "tiles do not overlap");
+      row.push_back(i);
+    }
+  return rows;
+}
+
+}  // namespace heckbert::record
