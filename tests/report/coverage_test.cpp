@@ -110,11 +110,11 @@ TEST(Coverage, AgreesWithTheStatisticsOfTheRecordItself) {
 }
 
 TEST(Coverage, IntervalOfTwoBatchesIsStudentsWithOneDegree) {
-  // Batches 3 and 5: mean 4, standard error 1, t(0.75, 1 degree) = 1.
-  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {3, 5}}});
+  // Batches 10003 and 10005: mean 10004, standard error 1, t(0.75, 1 degree) = 1; enough for a symmetric interval.
+  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {10003, 10005}}});
   const Coverage result = coverage(record, {grammar_of("a", "A", "LDE")}, {.confidence = 0.5});
-  EXPECT_NEAR(result.total.lower, 3, 1e-6);
-  EXPECT_NEAR(result.total.upper, 5, 1e-6);
+  EXPECT_NEAR(result.total.lower, 10003, 2e-3);
+  EXPECT_NEAR(result.total.upper, 10005, 2e-3);
   EXPECT_NEAR(result.grammars[0].share.lower, 1, 1e-9) << "a share of everything does not waver";
 }
 

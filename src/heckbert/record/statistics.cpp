@@ -39,9 +39,23 @@ Estimate unknown_spread(double mean) {
   return {mean, 0, mean, mean, false};
 }
 
-/// `most` is a bound that the true value cannot exceed; none is below zero.
-Estimate with_half_width(double mean, double error, double half, double most) {
-  return {mean, error, std::max(mean - half, 0.0), std::min(mean + half, most), true};
+/// The interval of a sum to which few contributions may have been found. Were all of one size, their number would
+/// follow Poisson's law and the interval would be Garwood's (1936); being of many sizes they count as (mean / error)^2
+/// of the size error^2 / mean (Fay and Feuer 1997). The quantiles of the gamma distribution are Wilson and Hilferty's
+/// (1931), with Student's, `quantile`, in place of the normal one, since the error is an estimate too. Where many were
+/// found this is mean -+ quantile * error.
+/// Takes: what one contribution would add, should none have been found; a bound that the true value cannot exceed.
+Estimate interval(double mean, double error, double quantile, double size_if_none, double most) {
+  if (mean > 0 && !(error > 0)) return exactly(mean);
+  const double found = mean > 0 ? mean * mean / (error * error) : 0;
+  const double size = mean > 0 ? error * error / mean : size_if_none;
+  const auto gamma_quantile = [](double shape, double normal_quantile) {
+    const double root = 1 - 1 / (9 * shape) + normal_quantile / (3 * std::sqrt(shape));
+    return root > 0 ? shape * root * root * root : 0.0;
+  };
+  const double lower = found > 0 ? size * gamma_quantile(found, -quantile) : 0;
+  const double upper = size * gamma_quantile(found + 1, quantile);
+  return {mean, error, lower, std::min(upper, most), true};
 }
 
 bool is_subset(const std::vector<bool>& part, const std::vector<bool>& whole) {
@@ -85,30 +99,40 @@ double BatchStatistics::standard_error(const BatchSeries& values) const {
   return std::sqrt(squares / (batches_ - 1));
 }
 
-Estimate BatchStatistics::with_interval(double mean, double error, double most) const {
-  return with_half_width(mean, error, quantile_ * error, most);
-}
-
-Estimate BatchStatistics::energy(const BatchSeries& values) const {
+Estimate BatchStatistics::energy(const BatchSeries& values, double size_if_none) const {
   const double m = mean(values);
   if (batches_ < 2) return unknown_spread(m);
-  return with_interval(m, standard_error(values), kNoBound);
+  return interval(m, standard_error(values), quantile_, size_if_none, kNoBound);
 }
 
-Estimate BatchStatistics::share(const BatchSeries& part, const BatchSeries& whole, double most) const {
+Estimate BatchStatistics::share(const BatchSeries& part, const BatchSeries& whole, double most,
+                                double size_if_none) const {
   const double total = mean(whole);
-  if (total <= 0 || part == BatchSeries{}) return exactly(0);
+  if (total <= 0) return exactly(0);
   if (part == whole) return exactly(1);
   const double ratio = mean(part) / total;
   if (batches_ < 2) return unknown_spread(ratio);
   // Delta method: the ratio errs like the mean of these residuals over the whole.
   BatchSeries residuals;
   for (std::size_t b = 0; b < residuals.size(); ++b) residuals[b] = part[b] - ratio * whole[b];
-  return with_interval(ratio, standard_error(residuals) / total, most);
+  const double error = standard_error(residuals) / total, one = size_if_none / total;
+  if (ratio <= 0.5 || most > 1) return interval(ratio, error, quantile_, one, most);
+  // What is left of the whole is the rarer one.
+  const Estimate rest = interval(1 - ratio, error, quantile_, one, 1);
+  return {ratio, error, 1 - rest.upper, 1 - rest.lower, true};
 }
 
 Estimate energy(const Record& record, const std::vector<bool>& chosen, double confidence) {
-  return BatchStatistics(record.info, confidence).energy(luminance_by_batch(record, chosen));
+  const BatchSeries values = luminance_by_batch(record, chosen);
+  return BatchStatistics(record.info, confidence)
+      .energy(values, values == BatchSeries{} ? mean_contribution(record) : 0);
+}
+
+double mean_contribution(const Record& record) {
+  const std::uint64_t count = record.tally.hits + record.tally.next_events;
+  return count > 0 ? static_cast<double>(luminance(mean_colour(record, std::vector<bool>(record.words.size(), true)))) /
+                         static_cast<double>(count)
+                   : 0.0;
 }
 
 Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
@@ -129,8 +153,8 @@ Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
 
 Estimate share(const Record& record, const std::vector<bool>& part, const std::vector<bool>& whole, double confidence) {
   return BatchStatistics(record.info, confidence)
-      .share(luminance_by_batch(record, part), luminance_by_batch(record, whole),
-             is_subset(part, whole) ? 1 : kNoBound);
+      .share(luminance_by_batch(record, part), luminance_by_batch(record, whole), is_subset(part, whole) ? 1 : kNoBound,
+             mean_contribution(record));
 }
 
 Estimate cut_off(const Tally& tally, double confidence) {
@@ -141,7 +165,7 @@ Estimate cut_off(const Tally& tally, double confidence) {
   const double error = std::sqrt(std::max(mean_of(tally.cut_off_squares, n) - mean * mean, 0.0) / (n - 1));
   constexpr std::uint64_t kNearlyNormal = 10000;  // a Student quantile costs a loop over its degrees of freedom
   const int degrees = static_cast<int>(std::min(tally.samples, kNearlyNormal)) - 1;
-  return with_half_width(mean, error, student_quantile(0.5 + confidence / 2, degrees) * error, kNoBound);
+  return interval(mean, error, student_quantile(0.5 + confidence / 2, degrees), 0, kNoBound);
 }
 
 double student_quantile(double probability, int degrees) {

@@ -1,7 +1,9 @@
 #pragma once
 // Energies with confidence. The picture mean of a set of words is estimated once per batch of samples; the batches are
 // independent, so the spread of their values gives Student intervals for energies, and of their ratios for shares
-// (batch means: Law and Kelton, "Simulation Modeling and Analysis", 9.5.3). Energies are luminance unless said
+// (batch means: Law and Kelton, "Simulation Modeling and Analysis", 9.5.3), which where few contributions were found
+// become intervals for rare events. What was not found at all may still be there: its upper bound supposes that one
+// contribution would have been as bright as those of the record are on average. Energies are luminance unless said
 // otherwise.
 
 #include <array>
@@ -27,16 +29,16 @@ using BatchSeries = std::array<double, kBatches>;
 class BatchStatistics {
  public:
   BatchStatistics(const RenderInfo& info, double confidence);
-  Estimate energy(const BatchSeries& values) const;
+  /// `size_if_none`, here and below: what one contribution would have added to the picture's mean, had one been found.
+  Estimate energy(const BatchSeries& values, double size_if_none = 0) const;
   /// A ratio estimate, at most `most`. 0 when the whole is dark.
-  Estimate share(const BatchSeries& part, const BatchSeries& whole, double most = 1) const;
+  Estimate share(const BatchSeries& part, const BatchSeries& whole, double most = 1, double size_if_none = 0) const;
   int batches() const { return batches_; }
   double quantile() const { return quantile_; }  ///< of Student's t for the interval; 0 with one batch
 
  private:
   double mean(const BatchSeries& values) const;
   double standard_error(const BatchSeries& values) const;
-  Estimate with_interval(double mean, double error, double most) const;
 
   BatchSeries weights_{};  ///< the fraction of the samples that each batch holds
   int batches_ = 0;        ///< in use
@@ -45,6 +47,8 @@ class BatchStatistics {
 
 /// Picture-mean luminance of the chosen words, with its interval at `confidence`.
 Estimate energy(const Record& record, const std::vector<bool>& chosen, double confidence = 0.95);
+/// Luminance that a contribution of the record adds to the picture's mean, on average.
+double mean_contribution(const Record& record);
 /// Picture-mean colour of the chosen words (no interval).
 Rgb mean_colour(const Record& record, const std::vector<bool>& chosen);
 /// Energy of `part` over energy of `whole`, as a ratio estimate. Mean 0 when the whole is dark.

@@ -22,7 +22,11 @@ bool is_inside(const record::Window& window, int x, int y) {
 }  // namespace
 
 Energies::Energies(const record::Record& record, double confidence, Part part)
-    : record_(record), statistics_(record.info, confidence), part_(std::move(part)), words_(record.words.size()) {
+    : record_(record),
+      statistics_(record.info, confidence),
+      mean_contribution_(record::mean_contribution(record)),
+      part_(std::move(part)),
+      words_(record.words.size()) {
   if (part_.pixels)
     look_at_pixels(*part_.pixels);
   else
@@ -76,8 +80,8 @@ GroupEnergy Energies::estimate(const Sums& sums) const {
   if (part_.pixels) {
     result = estimate_region(sums);
   } else {
-    result.energy = statistics_.energy(sums.batches);
-    result.share = statistics_.share(sums.batches, total_.batches);
+    result.energy = statistics_.energy(sums.batches, mean_contribution_);
+    result.share = statistics_.share(sums.batches, total_.batches, 1, mean_contribution_);
     result.count = sums.entries.count;
   }
   if (result.energy.known && result.energy.mean > 0) {

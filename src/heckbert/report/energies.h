@@ -79,6 +79,7 @@ class Energies {
 
   const record::Record& record_;
   record::BatchStatistics statistics_;
+  double mean_contribution_;
   Part part_;
   std::vector<OfWord> words_;
   Sums total_;  ///< of the part's words
