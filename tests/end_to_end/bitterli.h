@@ -46,7 +46,7 @@ inline constexpr Case kCases[] = {
     {"cornell-box", 65, 0, {256, 448, 384, 512}},
     {"veach-mis", 3, 0, {576, 500, 704, 564}},
     {"veach-bidir", 7, 0, {128, 256, 256, 320}},
-    {"water-caustic", 9, 10, {640, 64, 768, 128}, 16, nearest_neighbours_bias(20)},
+    {"water-caustic", 9, 10, {640, 64, 768, 128}, 32, nearest_neighbours_bias(20)},
 };
 
 inline std::string name_of(const testing::TestParamInfo<Case>& info) {

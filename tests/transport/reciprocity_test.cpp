@@ -37,15 +37,15 @@ struct Mean {
 };
 
 /// The light that arrives at the eye from all directions, by plain word.
-std::map<std::string, Mean> fluence(bool with_fog, glm::vec3 light, glm::vec3 eye, std::uint64_t seed) {
+std::map<std::string, Mean> fluence(bool with_fog, glm::vec3 light, glm::vec3 eye, int longest, std::uint64_t seed) {
   constexpr int kRuns = 24, kWidth = 64, kHeight = 192;
   Scene scene = lopsided_room(with_fog);
   scene.point_lights = {{.position = light, .intensity = Rgb(1)}};
   scene.camera = {.position = eye, .look_at = eye + glm::vec3(0.3f, 0, 1), .projection = Projection::Panoramic};
   std::map<std::string, std::array<double, kRuns>> runs;
   for (std::size_t run = 0; run < kRuns; ++run) {
-    const record::Record record =
-        render(scene, {.width = kWidth, .height = kHeight, .samples_per_pixel = 4, .max_depth = 4, .seed = seed + run});
+    const record::Record record = render(
+        scene, {.width = kWidth, .height = kHeight, .samples_per_pixel = 4, .max_depth = longest, .seed = seed + run});
     std::vector<double> sums(record.words.size());
     for (int y = 0; y < kHeight; ++y) {
       // Latitude runs from pole to pole.
@@ -76,7 +76,10 @@ std::string reversed(const std::string& word) {
 }
 
 void expect_reciprocity(bool with_fog, const std::vector<std::string>& words) {
-  const auto there = fluence(with_fog, kHere, kThere, 1000), back = fluence(with_fog, kThere, kHere, 2000);
+  std::size_t longest = 0;
+  for (const std::string& word : words) longest = std::max(longest, word.size() - 2);
+  const auto there = fluence(with_fog, kHere, kThere, static_cast<int>(longest), 1000);
+  const auto back = fluence(with_fog, kThere, kHere, static_cast<int>(longest), 2000);
   for (const std::string& word : words) {
     const auto a = there.find(word), b = back.find(reversed(word));
     ASSERT_TRUE(a != there.end() && b != back.end()) << word;
