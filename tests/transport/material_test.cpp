@@ -349,15 +349,15 @@ TEST(Traps, AllTogetherAgreeWithABruteForceTwin) {
       }
       const Vertex vertex(scene, *hit, ray.direction);
       const auto wi = vertex.local(uniform_sphere(sampler.next2()));
-      if (!wi) break;
+      if (wi.z == 0) break;
       const std::size_t lobe = sampler.next() < 0.5f ? 0 : 1;
       if (lobe >= vertex.lobes().size()) break;
-      const bool below = wi->z < 0;
+      const bool below = wi.z < 0;
       throughput *=
-          static_cast<double>(2.0f * evaluate(vertex.lobes()[lobe], vertex.wo, *wi).r * std::abs(wi->z)) * 4 * kPiD;
+          static_cast<double>(2.0f * evaluate(vertex.lobes()[lobe], vertex.wo, wi).r * std::abs(wi.z)) * 4 * kPiD;
       if (!(throughput > 0)) break;
       letters += below ? 'T' : letter(vertex.lobes()[lobe]) == taxonomy::Symbol::Dr ? 'D' : 'G';
-      ray = vertex.leave(*wi, below);
+      ray = vertex.leave(wi, below);
     }
   }
   const auto record = render(scene, {.width = 1, .height = 1, .samples_per_pixel = 1 << 18, .max_depth = kLongest});

@@ -47,8 +47,8 @@ inline float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool 
   return value_and_pdf(lobe, wo, wi, front).pdf_solid_angle;
 }
 
-/// A direction drawn by pdf_solid_angle; nothing when the draw falls on the wrong side or the lobe is a delta.
-std::optional<glm::vec3> sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec3 u, bool front = true);
+/// A direction drawn by pdf_solid_angle; its z is 0 when the draw falls on the wrong side or the lobe is a delta.
+glm::vec3 sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec3 u, bool front = true);
 
 /// Share of the light that the lobe scatters towards wo, for choosing among lobes; an estimate is enough, but zero only
 /// where the lobe is black.

@@ -69,12 +69,12 @@ Continuation follow_delta(const Vertex& vertex, Drawn lobe) {
 
 Continuation follow_non_delta(const Vertex& vertex, Drawn sampled, Sampler& sampler) {
   const std::span<const Lobe> lobes = vertex.lobes();
-  const std::optional<glm::vec3> local =
+  const glm::vec3 local =
       sample_direction(lobes[sampled.index], vertex.wo, {sampler.next2(), sampled.u}, vertex.hit.front);
-  if (!local) return {};
-  const std::optional<glm::vec3> wi = vertex.local(vertex.frame.to_world(*local));
-  if (!wi) return {};
-  const Vertex::Values values = vertex.values(*wi);
+  if (local.z == 0) return {};
+  const glm::vec3 wi = vertex.local(vertex.frame.to_world(local));
+  if (wi.z == 0) return {};
+  const Vertex::Values values = vertex.values(wi);
   if (!(values.pdf_solid_angle > 0)) return {};
 
   std::array<float, kMaxLobes> weight{};
@@ -82,10 +82,10 @@ Continuation follow_non_delta(const Vertex& vertex, Drawn sampled, Sampler& samp
   for (std::size_t i = 0; i < lobes.size(); ++i) total += weight[i] = max_channel(values.f[i]);
   if (!(total > 0)) return {};
   const std::size_t lobe = lobes.size() > 1 ? draw(weight, lobes.size(), total, sampler.next()).index : 0;
-  const bool transmitted = wi->z < 0;
-  return {.ray = vertex.leave(*wi, transmitted),
+  const bool transmitted = wi.z < 0;
+  return {.ray = vertex.leave(wi, transmitted),
           .event = letter(lobes[lobe], transmitted),
-          .factor = values.f[lobe] * (std::abs(wi->z) * total / (values.pdf_solid_angle * weight[lobe])),
+          .factor = values.f[lobe] * (std::abs(wi.z) * total / (values.pdf_solid_angle * weight[lobe])),
           .pdf_solid_angle = values.pdf_solid_angle,
           .radiance_scale = transmitted ? radiance_compression(lobes[lobe], vertex.hit.front) : 1.0f,
           .transmitted = transmitted};

@@ -35,15 +35,15 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
                            PerLobe per_lobe) {
   const LightSample light = world.lights.sample(vertex.hit.position, walk.sampler);
   if (!(light.pdf_solid_angle > 0)) return;
-  const std::optional<glm::vec3> wi = vertex.local(light.direction);
-  if (!wi) return;
-  const bool transmitted = wi->z < 0;
+  const glm::vec3 wi = vertex.local(light.direction);
+  if (wi.z == 0) return;
+  const bool transmitted = wi.z < 0;
   if (transmitted && !vertex.transmits) return;
   const glm::vec3 origin = leave(vertex.hit, vertex.hit.front != transmitted);
   const Rgb arriving = arriving_light(world, walk, vertex, transmitted, origin, light);
   if (is_black(arriving)) return;
-  const Vertex::Values values = vertex.values(*wi);
-  float weight = std::abs(wi->z) / light.pdf_solid_angle;
+  const Vertex::Values values = vertex.values(wi);
+  float weight = std::abs(wi.z) / light.pdf_solid_angle;
   if (rule.multiple_importance && !light.is_delta)
     weight *= power_heuristic(light.pdf_solid_angle, values.pdf_solid_angle);
   const Rgb incident = arriving * weight;

@@ -102,12 +102,12 @@ struct Vertex {
     float pdf_solid_angle = 0;
   };
   Values values(glm::vec3 wi) const;
-  /// A world direction as this vertex may use it: local, or nothing when the shading and the geometric normal disagree
-  /// about its side.
-  std::optional<glm::vec3> local(glm::vec3 world) const {
+  /// A world direction as this vertex may use it: local, with a z of 0 when the shading and the geometric normal
+  /// disagree about its side.
+  glm::vec3 local(glm::vec3 world) const {
     const bool same_side = (glm::dot(world, hit.normal_geometric) > 0) == hit.front;
-    const glm::vec3 wi = frame.to_local(world);
-    if (wi.z == 0 || (wi.z > 0) != same_side) return std::nullopt;
+    glm::vec3 wi = frame.to_local(world);
+    if ((wi.z > 0) != same_side) wi.z = 0;
     return wi;
   }
   /// The ray that goes on; `transmitted` says on which side.
