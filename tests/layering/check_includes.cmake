@@ -16,7 +16,7 @@ set(guarded
   "embree3/=transport/embree_tracer.cpp"
   "glm/=(transport|import)/.*"
   "(oneapi/)?tbb/=transport/[^/]*.cpp"
-  "OpenEXR/=(record/([^/]*[.]cpp|(exr|sums_parts)[.]h)|import/radiance_image[.]cpp)"
+  "OpenEXR/=(record/([^/]*[.]cpp|(exr|deep_rows|record_header|sums_parts|words_part)[.]h)|import/radiance_image[.]cpp)"
   "nlohmann/=((report|import|cli)/.*[.]cpp|report/json_parts[.]h)"
   "CLI/=cli/.*"
   "tiny_obj_loader=import/[^/]*.cpp"
