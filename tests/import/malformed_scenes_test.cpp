@@ -41,8 +41,8 @@ const Malformed kMalformed[] = {
     {R"("albedo": 0.5)", R"("albedo": 0.5, ^"albedo": 0.6)", "\"albedo\" stands twice", "", "/materials/0/albedo", ""},
     // keys
     {R"("environment")", R"(^"enviroment")", "scene has no key", "did you mean \"environment\"?", "/enviroment", ""},
-    {R"("radius": 1)", R"("radius": 1, ^"colour": 1)", "sphere has no key \"colour\"", "known: type, name, label, material",
-     "/shapes/0/colour", ""},
+    {R"("radius": 1)", R"("radius": 1, ^"colour": 1)", "sphere has no key \"colour\"",
+     "known: type, name, label, material", "/shapes/0/colour", ""},
     {R"("look_at": [0, 0, 0])", R"("fov": 40)", "camera needs \"look_at\"", "", "/camera", "{ \"position\""},
     {R"("type": "sphere", )", "", "shape needs \"type\": one of quad, box", "", "/shapes/0", "{ \"material\""},
     {R"("type": "sphere")", R"("type": ^"shpere")", "expected one of quad, box, sphere", "did you mean \"sphere\"?",

@@ -1,6 +1,7 @@
 // The same as interval_test.cpp over so many seeds that 94 % could be told from 95 %.
 //
-// Last result (2026-11-27), both samplers, whole, cropped and adaptive: held 0.947 to 0.975, variance ratio 0.95 to 1.04.
+// Last result (2026-11-27), both samplers, whole, cropped and adaptive: held 0.947 to 0.975, variance ratio 0.95
+// to 1.04.
 
 #include <iostream>
 

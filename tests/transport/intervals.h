@@ -16,8 +16,8 @@ struct Held {
   double squared_deviations = 0, squared_errors = 0;
 };
 
-/// Renders of 4x4 pixels and 32 samples each. The first six words are found by many paths in each, the last three by some
-/// ten.
+/// Renders of 4x4 pixels and 32 samples each. The first six words are found by many paths in each, the last three by
+/// some ten.
 inline std::vector<Held> count_held(SamplerKind sampler, Sampled how, int seeds) {
   std::vector<Held> rows;
   for (const char* word : {"LDE", "LDDE", "LSDE", "LDSE", "LSSE", "LDDDE", "LSSSE", "LSSSSE", "LSDSDE"})

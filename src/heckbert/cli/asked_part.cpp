@@ -75,7 +75,8 @@ report::Part part_of(const PartFlags& flags, const record::Record& record, const
   if (!flags.pixel.empty()) part.pixels = pixel_of("--pixel", flags.pixel, record);
   if (part.pixels) part.description = describe(*part.pixels);
   if (!flags.of.empty())
-    narrow(part, record, find_grammar(flags.of, "--of", settings).language, settings.glossy, "the words of " + flags.of);
+    narrow(part, record, find_grammar(flags.of, "--of", settings).language, settings.glossy,
+           "the words of " + flags.of);
   const auto narrow_to = [&](const std::string& expression, const std::string& description) {
     narrow(part, record, taxonomy::compile(expression), taxonomy::GlossyRule::Keep, description);
   };

@@ -79,8 +79,8 @@ Run parse(int argc, const char* const* argv) {
   style_help(app);
   app.set_version_flag("--version", std::string("heckbert ") + HECKBERT_VERSION, "print the version");
   app.require_subcommand(1);
-  for (const auto add : {add_render, add_coverage, add_query, add_classify, add_paths, add_report, add_match, add_grammar,
-                         add_scene, add_merge, add_record_family})
+  for (const auto add : {add_render, add_coverage, add_query, add_classify, add_paths, add_report, add_match,
+                         add_grammar, add_scene, add_merge, add_record_family})
     add(app, chosen);
 
   try {

@@ -27,8 +27,8 @@ struct ClassOfRecord {
   std::uint64_t count = 0;  ///< contributions
 };
 
-/// All classes in one pass: membership is asked once per distinct word, and words that are in the same classes are added
-/// up once.
+/// All classes in one pass: membership is asked once per distinct word, and words that are in the same classes are
+/// added up once.
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence);
 
