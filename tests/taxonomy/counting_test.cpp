@@ -116,6 +116,13 @@ TEST(GeneratingFunction, IsInLowestTermsOrNothing) {
   EXPECT_FALSE(of("La .{12} Ep"));
 }
 
+// Words without eight D in a row: the counts are powers of two at first, and only the sixteenth tells all of the
+// recurrence, which is that of Fibonacci's numbers of eight terms.
+TEST(GeneratingFunction, IsThatOfAllCountsWhereTheFirstFollowAShorterRecurrence) {
+  const auto function = generating_function(compile("La (Dr|Sr)* Ep - La (Dr|Sr)* Dr{8} (Dr|Sr)* Ep"));
+  EXPECT_EQ(function, (GeneratingFunction{std::vector<std::int64_t>(8, 1), {1, -1, -1, -1, -1, -1, -1, -1, -1}}));
+}
+
 TEST(GeneratingFunction, ExpandsToTheCountsOfEverySmallExpression) {
   constexpr std::size_t kTerms = 15;
   for (std::size_t size = 1; size <= 5; ++size)

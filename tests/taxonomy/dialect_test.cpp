@@ -169,6 +169,25 @@ TEST(Dialect, AWholeUnionAndATightUnionDifferOnTheShortestWord) {
   EXPECT_FALSE(translate("CDO", Osl, Arnold).differs_on.has_value());
 }
 
+TEST(Dialect, OfTwoWordsOnWhichDialectsDifferTheShorterIsShown) {
+  // Each dialect has a word that the other lacks: LaDrGrEp is OSL's, LaDrEp is V-Ray's; LeEp Iray's, LaSrEp Karma's.
+  struct Case {
+    const char* text;
+    Dialect longer, shorter;
+    const char* word;
+  };
+  for (const auto& [text, longer, shorter, word] :
+       {Case{"CG|C.O", Osl, VRay, "LaDrEp"}, Case{"CL|SS.", Osl, Arnold, "LaEp"}, Case{"CG*L", Karma, Iray, "LeEp"}}) {
+    const Translation there = translate(text, longer, shorter), back = translate(text, shorter, longer);
+    for (const Translation& t : {there, back}) {
+      ASSERT_TRUE(t.differs_on) << text;
+      EXPECT_EQ(fine(*t.differs_on), word) << text;
+    }
+    EXPECT_FALSE(there.only_in_from) << text;
+    EXPECT_TRUE(back.only_in_from) << text;
+  }
+}
+
 TEST(Dialect, EventsThatOurWordsDoNotHaveMatchNothingAndSaySo) {
   const Reading straight = read_expression("C<Ts>DL", Osl);
   EXPECT_TRUE(straight.language.is_empty());
@@ -344,6 +363,13 @@ TEST(Dialect, MistakesAreNamedWithARemedy) {
   };
   for (const Broken& row : table)
     EXPECT_THAT(errors_of(row.text, row.dialect), AllOf(HasSubstr(row.message), HasSubstr(row.suggestion))) << row.text;
+}
+
+TEST(Dialect, NoRepairIsProposedThatDoesNotReadBack) {
+  // Closing the bracket leaves an empty event, dropping the stray ones an operator without its right side.
+  for (const auto& [dialect, text, message, repair] :
+       {Broken{Osl, "C<", "'<' is never closed", "'C<>'"}, Broken{VRay, "CD)&]", "']' closes nothing", "'CD&'"}})
+    EXPECT_THAT(errors_of(text, dialect), AllOf(HasSubstr(message), Not(HasSubstr(repair)))) << text;
 }
 
 TEST(Dialect, AllErrorsOfATextAreFound) {

@@ -66,11 +66,21 @@ TEST(Identify, ListsNothingTwice) {
   const auto is_whitted = [](const Match& m) { return m.grammar->name == "whitted"; };
   EXPECT_EQ(std::count_if(found.same.begin(), found.same.end(), is_whitted), 1);
   EXPECT_EQ(identify(whitted, builtin_grammars()).same.at(0).within, 0);
-  // Ray casting, local shading and others are all the direct light of D and G where lights cannot be hit.
-  const auto near = identify(compile("L Dr E"), builtin_grammars()).containing;
-  for (std::size_t i = 0; i < near.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_NE(in_form(*near[i].grammar, near[i].form), in_form(*near[j].grammar, near[j].form));
+  // Many grammars are one language, with lights that can be hit or at all; a word less, it has them above it, and a
+  // word more, below.
+  const auto expect_distinct = [](const std::vector<Neighbour>& list, const std::string& grammar) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_NE(in_form(*list[i].grammar, list[i].form), in_form(*list[j].grammar, list[j].form))
+            << grammar << ": " << list[i].grammar->name << " and " << list[j].grammar->name;
+  };
+  for (const char* name : {"ray-casting", "local-shading", "caustic", "photon-mapping"}) {
+    const Language language = builtin_grammars().find(name)->language;
+    const Language word = Language::of(*language.shortest_word());
+    expect_distinct(identify(language - word, builtin_grammars()).containing, name);
+    const Language outside = Language::of(*(Language::universe() - language).shortest_word());
+    expect_distinct(identify(language | outside, builtin_grammars()).contained, name);
+  }
 }
 
 TEST(Trace, VisitsTheStatesOfTheAutomaton) {
