@@ -24,18 +24,8 @@ namespace heckbert::transport {
 
 namespace {
 
-// The rounding error of Embree's triangle and sphere tests, relative to the coordinates and extents involved, is below
-// half a millionth: six roundings of 2^-24 in the plane distance, four in the squared distance to a sphere's axis
-// divided by twice its radius. Four times that is clear of both.
-constexpr float kRelativeError = 2e-6f;
-
 float max_component(glm::vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-/// How far a ray must start from a point of a shape of this size; `placement` is the size of its transform's offset.
-float clearance(glm::vec3 position, float placement, float size) {
-  return kRelativeError * (max_component(position) + placement + size);
 }
 
 struct Release {
@@ -450,6 +440,7 @@ std::optional<Hit> Tracer::intersect(const Ray& ray, float farthest) const {
   const Placed& p = impl_->placed_at(query.hit);
   Hit& hit = met.emplace();
   hit.shape = p.number;
+  hit.primitive = query.hit.primID;
   if (const auto* mesh = std::get_if<Mesh>(&p.shape->geometry)) {
     const Face& face = p.faces[query.hit.primID];
     const float u = query.hit.u, v = query.hit.v;

@@ -7,6 +7,8 @@
 // of the size of the numbers involved, and on the right side of the surface, so that a ball of glass is entered and
 // left in pairs at any angle and any scale.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -36,11 +38,23 @@ struct Hit {
   float error = 0;             ///< distance in scene units by which a ray leaving here must clear the surface
   std::uint32_t material = 0;
   std::uint32_t shape = 0;             ///< number of the shape: those of the scene, then those of its groups
+  std::uint32_t primitive = 0;         ///< of a mesh: its triangle
   std::uint32_t emitter = kNoEmitter;  ///< index into Tracer's emitters, when the surface emits
   bool has_coordinates = false;        ///< the material asks for texture coordinates: the following are set
   glm::vec2 uv;
   glm::vec3 along_u, along_v;  ///< how the position moves with u and with v; zero where the coordinates stand still
 };
+
+/// How far from a point a ray must start to clear the shape that it lies on. `size`: of the shape, or of its triangle
+/// there; `placement`: of the offset in its transform.
+inline float clearance(glm::vec3 position, float placement, float size) {
+  // The rounding error of Embree's triangle and sphere tests, relative to the coordinates and extents involved, is
+  // below half a millionth: six roundings of 2^-24 in the plane distance, four in the squared distance to a sphere's
+  // axis divided by twice its radius. Four times that is clear of both.
+  constexpr float kRelativeError = 2e-6f;
+  const float farthest = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+  return kRelativeError * (farthest + placement + size);
+}
 
 /// The hit's position moved off the surface to its front or its back. The side is the event's to say, not a cosine's:
 /// at grazing angles its sign is noise.
