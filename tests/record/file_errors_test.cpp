@@ -223,6 +223,7 @@ TEST(ReadRecord, ChecksTheHeader) {
        "'heckbert.scene' is missing or of another type"},
       {[](Header& h) { h.channels().insert("count", Imf::Channel(Imf::FLOAT)); },
        "the channel 'count' is missing or of another type"},
+      {[](Header& h) { h.compression() = Imf::RLE_COMPRESSION; }, "the part 'paths' is not packed as ZIPS"},
   };
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto& [change, reason] = cases[i];

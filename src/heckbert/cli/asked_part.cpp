@@ -55,6 +55,10 @@ void add_part(CLI::App& command, PartFlags& flags) {
       ->type_name("LABEL");
 }
 
+bool has_pixels(const PartFlags& flags) {
+  return !flags.region.empty() || !flags.pixel.empty();
+}
+
 record::Window pixel_of(const std::string& flag, const std::string& text, const record::Record& record) {
   const record::Window& all = record.info.window;
   return value_of_flag(flag, [&]() -> record::Window {

@@ -20,6 +20,9 @@ struct PartFlags {
 /// Adds --region, --pixel, --of, --object and --light-group.
 void add_part(CLI::App& command, PartFlags& flags);
 
+/// Whether some pixels are asked for, and not the picture as a whole.
+bool has_pixels(const PartFlags& flags);
+
 /// A pixel of the record as "x,y". Errors: UsageError, also for one outside of it.
 record::Window pixel_of(const std::string& flag, const std::string& text, const record::Record& record);
 

@@ -15,8 +15,8 @@ void add_grammars(CLI::App& command, std::vector<std::string>& texts) {
       ->allow_extra_args(false);
 }
 
-record::Record open_record(const std::string& name, const Console& console) {
-  record::Record record = read_record(name);
+record::Record open_record(const std::string& name, Extent extent, const Console& console) {
+  record::Record record = extent == Extent::Totals ? read_record_totals(name) : read_record(name);
   console.detail(report::summary(record.info));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
   return record;

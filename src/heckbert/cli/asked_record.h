@@ -1,6 +1,6 @@
 #pragma once
-// What the commands that ask a record have in common: the argument that names it, the grammars it is asked for, and what
-// is said about it before the answer.
+// What the commands that ask a record have in common: the argument that names it, the grammars it is asked for, and
+// what is said about it before the answer.
 
 #include <string>
 #include <vector>
@@ -18,7 +18,10 @@ void add_record(CLI::App& command, std::string& name);
 /// Adds --grammar, for the texts of find_to_cover().
 void add_grammars(CLI::App& command, std::vector<std::string>& texts);
 
+/// How much of a record a question needs. Pixels are most of it.
+enum class Extent { Totals, Pixels };
+
 /// The record, once the console has what it was rendered from and what is wrong with it. Errors: ReadError.
-record::Record open_record(const std::string& name, const Console& console);
+record::Record open_record(const std::string& name, Extent extent, const Console& console);
 
 }  // namespace heckbert::cli

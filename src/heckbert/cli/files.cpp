@@ -75,6 +75,10 @@ record::Record read_record(const std::string& name) {
   return read_from(name, record::read_record);
 }
 
+record::Record read_record_totals(const std::string& name) {
+  return read_from(name, record::read_record_totals);
+}
+
 record::Sums read_sums(const std::string& name) {
   return read_from(name, record::read_sums);
 }

@@ -16,6 +16,9 @@ std::string read_text(const std::string& name);
 /// A record from a file or from standard input. Errors: ReadError.
 record::Record read_record(const std::string& name);
 
+/// The same without pixels, see record::read_record_totals().
+record::Record read_record_totals(const std::string& name);
+
 /// A record that keeps its sums, likewise. Errors: ReadError.
 record::Sums read_sums(const std::string& name);
 

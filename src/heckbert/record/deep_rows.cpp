@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include <heckbert/record/deep_chunk.h>
 #include <heckbert/record/exr.h>
+#include <heckbert/record/parallel.h>
 
 namespace heckbert::record::exr {
 
@@ -19,12 +21,17 @@ char* base_of(T* pixels, const Window& window) {
   return reinterpret_cast<char*>(pixels) - before * static_cast<std::ptrdiff_t>(sizeof(T));
 }
 
+Imf::Slice count_slice(unsigned* counts, const Window& window) {
+  return {Imf::UINT, base_of(counts, window), sizeof(unsigned),
+          sizeof(unsigned) * static_cast<std::size_t>(window.width())};
+}
+
 /// Tells OpenEXR where samples are. Costs 8 bytes per pixel and channel.
 struct DeepFrame {
   DeepFrame(const Window& window, unsigned* counts, const DeepLayout& layout)
       : first_values(layout.channels.size() * window.pixel_count()) {
     const auto width = static_cast<std::size_t>(window.width());
-    buffer.insertSampleCountSlice({Imf::UINT, base_of(counts, window), sizeof(unsigned), sizeof(unsigned) * width});
+    buffer.insertSampleCountSlice(count_slice(counts, window));
     char** first = first_values.data();
     for (const DeepChannel& channel : layout.channels) {
       buffer.insert(channel.name,
@@ -74,11 +81,20 @@ std::vector<unsigned> read_deep(Imf::DeepScanLineInputPart part, const DeepLayou
                                 const std::function<char*(std::size_t)>& allocate) {
   const Window window = window_of(part.header().dataWindow());
   std::vector<unsigned> counts(window.pixel_count());
-  DeepFrame frame(window, counts.data(), layout);
-  part.setFrameBuffer(frame.buffer);
+  Imf::DeepFrameBuffer frame;
+  frame.insertSampleCountSlice(count_slice(counts.data(), window));
+  part.setFrameBuffer(frame);
   part.readPixelSampleCounts(window.y0, window.y1 - 1);
-  frame.point_at(allocate(std::accumulate(counts.begin(), counts.end(), std::size_t{0})), counts, layout);
-  part.readPixels(window.y0, window.y1 - 1);
+  std::vector<std::size_t> first_of_row{0};
+  for (auto row = counts.begin(); row != counts.end(); row += window.width())
+    first_of_row.push_back(std::accumulate(row, row + window.width(), first_of_row.back()));
+  char* const structs = allocate(first_of_row.back());
+  in_parallel(first_of_row.size() - 1, [&] {
+    return [&, reader = DeepRowReader(part, layout)](std::size_t row) mutable {
+      reader.read(window.y0 + static_cast<int>(row), first_of_row[row + 1] - first_of_row[row],
+                  structs + first_of_row[row] * layout.bytes);
+    };
+  });
   return counts;
 }
 

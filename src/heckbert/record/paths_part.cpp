@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include <heckbert/record/exr.h>
+#include <heckbert/record/parallel.h>
 #include <heckbert/record/record_header.h>
 
 namespace heckbert::record::exr {
@@ -41,30 +43,37 @@ half half_of(float energy) {
   return half(std::min(energy, kMostHalf));
 }
 
-void check_channels(const Imf::Header& header) {
-  for (const DeepChannel& channel : kFloatChannels) {
-    const Imf::Channel* found = header.channels().findChannel(channel.name);
-    require(
-        found != nullptr && (found->type == channel.type || (channel.type == Imf::FLOAT && found->type == Imf::HALF)),
-        fmt::format("the channel '{}' is missing or of another type", channel.name));
-  }
-}
+/// Throws unless the entries of some pixels keep the promises of Record.
+struct EntryCheck {
+  const Record& record;
+  std::vector<std::uint64_t> counts;  ///< by word, of contributions in the entries that were checked
 
-/// Throws unless the entries keep the promises of Record.
-void check_entries(const Record& record) {
-  std::vector<std::uint64_t> counts(record.words.size());
-  for (std::size_t i = 0; i + 1 < record.offsets.size(); ++i) {
-    for (std::size_t e = record.offsets[i]; e < record.offsets[i + 1]; ++e) {
-      const Entry& entry = record.entries[e];
-      if (entry.word >= counts.size()) throw std::runtime_error("a pixel has an id that the id manifest lacks");
-      if (e > record.offsets[i] && record.entries[e - 1].word >= entry.word)
-        throw std::runtime_error("a pixel's ids are not ascending");
-      if (!is_recordable(entry.energy))
-        throw std::runtime_error("a pixel has an energy that is negative or not finite");
-      if (entry.count == 0) throw std::runtime_error("a pixel has a word without contributions");
-      counts[entry.word] += entry.count;
-    }
+  void operator()(std::size_t band) {
+    const std::size_t first = band * kBandPixels;
+    const std::size_t last = std::min(first + kBandPixels, record.offsets.size() - 1);
+    for (std::size_t pixel = first; pixel < last; ++pixel)
+      for (std::size_t e = record.offsets[pixel]; e < record.offsets[pixel + 1]; ++e) {
+        const Entry& entry = record.entries[e];
+        if (entry.word >= counts.size()) throw std::runtime_error("a pixel has an id that the id manifest lacks");
+        if (e > record.offsets[pixel] && record.entries[e - 1].word >= entry.word)
+          throw std::runtime_error("a pixel's ids are not ascending");
+        if (!is_recordable(entry.energy))
+          throw std::runtime_error("a pixel has an energy that is negative or not finite");
+        if (entry.count == 0) throw std::runtime_error("a pixel has a word without contributions");
+        counts[entry.word] += entry.count;
+      }
   }
+
+  static constexpr std::size_t kBandPixels = 4096;
+};
+
+void check_entries(const Record& record) {
+  const std::size_t bands = (record.offsets.size() + EntryCheck::kBandPixels - 2) / EntryCheck::kBandPixels;
+  std::vector<std::uint64_t> counts(record.words.size());
+  for (const EntryCheck& check : in_parallel(bands, [&] {
+         return EntryCheck{record, std::vector<std::uint64_t>(counts.size())};
+       }))
+    std::transform(counts.begin(), counts.end(), check.counts.begin(), counts.begin(), std::plus<>());
   require(std::find(counts.begin(), counts.end(), 0u) == counts.end(), "the id manifest has a word that no pixel has");
   require(counts == record.counts, "the counts of the words are not those of their pixels");
 }
@@ -93,7 +102,6 @@ void count_rounding(Tally& tally, Rgb energy) {
 }
 
 void read_paths(Imf::MultiPartInputFile& file, std::uint64_t file_bytes, Record& record) {
-  check_channels(file.header(0));
   const auto allocate = [&](std::size_t total) {
     require(can_unpack_to(total * sizeof(HalfEntry), file_bytes),
             "the file is damaged: it promises more samples than it can hold");

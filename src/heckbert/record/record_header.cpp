@@ -6,7 +6,11 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
 
+#include <algorithm>
+#include <functional>
+
 #include <heckbert/record/exr.h>
+#include <heckbert/record/parallel.h>
 
 namespace heckbert::record::exr {
 
@@ -39,6 +43,18 @@ void check_info(const RenderInfo& info) {
   require(info.samples_per_pixel >= 1, "the number of samples per pixel is not positive");
 }
 
+/// The word that `text` spells in full. Errors: std::runtime_error.
+taxonomy::Word word_from(const std::string& text) {
+  taxonomy::Word word;
+  try {
+    word = taxonomy::parse_word(text);
+  } catch (const InputError&) {
+    throw std::runtime_error(fmt::format("the id manifest has '{}', which is not a word", text));
+  }
+  require(taxonomy::fine(word) == text, fmt::format("the id manifest has '{}' without subscripts", text));
+  return word;
+}
+
 std::vector<taxonomy::Word> read_words(const Imf::Header& header, std::uint64_t file_bytes) {
   require(Imf::hasIDManifest(header), "the id manifest is missing");
   const Imf::CompressedIDManifest& packed = Imf::idManifest(header);
@@ -47,19 +63,22 @@ std::vector<taxonomy::Word> read_words(const Imf::Header& header, std::uint64_t 
   const Imf::IDManifest manifest(packed);
   const std::size_t group = manifest.find(kIdChannel);
   require(group < manifest.size(), "the id manifest does not tell about the channel 'id'");
-  std::vector<taxonomy::Word> words;
-  words.reserve(manifest[group].size());
+  std::vector<const std::string*> texts;
+  texts.reserve(manifest[group].size());
   for (auto i = manifest[group].begin(); !(i == manifest[group].end()); ++i) {
-    require(i.id() == words.size() && i.text().size() == 1, "the id manifest does not number the words 0, 1, 2 ...");
-    const std::string& text = i.text().front();
-    try {
-      words.push_back(taxonomy::parse_word(text));
-    } catch (const InputError&) {
-      throw std::runtime_error(fmt::format("the id manifest has '{}', which is not a word", text));
-    }
-    require(taxonomy::fine(words.back()) == text, fmt::format("the id manifest has '{}' without subscripts", text));
-    require(words.size() < 2 || words[words.size() - 2] < words.back(), "the words of the id manifest are not sorted");
+    require(i.id() == texts.size() && i.text().size() == 1, "the id manifest does not number the words 0, 1, 2 ...");
+    texts.push_back(&i.text().front());
   }
+  constexpr std::size_t kWordsPerPiece = 1024;
+  std::vector<taxonomy::Word> words(texts.size());
+  in_parallel((words.size() + kWordsPerPiece - 1) / kWordsPerPiece, [&] {
+    return [&](std::size_t piece) {
+      const std::size_t first = piece * kWordsPerPiece, last = std::min(first + kWordsPerPiece, words.size());
+      for (std::size_t w = first; w < last; ++w) words[w] = word_from(*texts[w]);
+    };
+  });
+  const auto unsorted = std::adjacent_find(words.begin(), words.end(), std::not_fn(std::less<>()));
+  require(unsorted == words.end(), "the words of the id manifest are not sorted");
   return words;
 }
 

@@ -68,7 +68,8 @@ ExitCode run(const ClassifyFlags& options) {
   const report::GroupBy by = choose_flag("--by", options.by, report::kGroupings).by;
   if (options.reach && !report::facts(by).is_partition)
     throw UsageError(fmt::format("--reach: groups by {} overlap, so their shares do not add up", options.by));
-  const record::Record record = open_record(options.record, console);
+  const record::Record record =
+      open_record(options.record, has_pixels(options.part) ? Extent::Pixels : Extent::Totals, console);
 
   report::ClassifyOptions how{.glossy_rule = settings.glossy,
                               .confidence = settings.confidence,

@@ -47,7 +47,7 @@ constexpr const char* kExamples =
 ExitCode run(const PathsOptions& options) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
-  const record::Record record = open_record(options.record, console);
+  const record::Record record = open_record(options.record, Extent::Pixels, console);
   const record::Window pixel = pixel_of("--pixel", options.pixel, record);
   const std::vector<report::WordEnergy> words =
       report::words_by_energy(record, std::vector<bool>(record.words.size(), true),

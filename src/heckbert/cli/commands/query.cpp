@@ -73,7 +73,8 @@ ExitCode run(const QueryOptions& options) {
   for (const std::string& name : {options.output, options.preview})
     if (!name.empty()) check_writable(name);
   const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "EXPR", settings);
-  const record::Record record = open_record(options.record, console);
+  const bool wants_pictures = !options.output.empty() || !options.preview.empty();
+  const record::Record record = open_record(options.record, wants_pictures ? Extent::Pixels : Extent::Totals, console);
 
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   const bool single_unnamed = classes.size() == 1 && options.classes.front().find('=') == std::string::npos;
