@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     const transport::Scene scene = import::load_scene_or_builtin(name).scene;
     transport::RenderSettings with{.width = size, .height = size, .samples_per_pixel = samples, .threads = 1};
     transport::RenderSettings without = with;
-    without.next_event_estimation = false;
+    without.algorithm = transport::AlgorithmId::PathHits;
     Cost next_event, hits;
     for (int pair = 0; pair < pairs; ++pair) {
       measure(next_event, scene, with, 1 + 4 * static_cast<std::uint64_t>(pair));

@@ -370,7 +370,7 @@ TEST(ClosedForm, OfADistantLightAndItsWords) {
   Scene scene = floor_at({0, 0, 0});
   scene.materials[0].lobes.push_back(Mirror{Rgb(0.3f)});
   scene.distant_lights.push_back({.direction = {3, -4, 0}, .irradiance = Rgb(2)});
-  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+  for (const AlgorithmFacts& algorithm : algorithms_that_find("LdDrEp")) {
     RenderSettings settings = kFloor;
     settings.algorithm = algorithm.id;
     const auto record = render(scene, settings);

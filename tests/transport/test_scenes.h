@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include <heckbert/record/statistics.h>
+#include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/word.h>
 #include <heckbert/transport/material.h>
 #include <heckbert/transport/render.h>
@@ -74,6 +75,15 @@ inline void expect_energies(const record::Record& record, const std::map<std::st
         << e.mean / expected - 1;
     EXPECT_LT(e.standard_error, 0.05 * expected + 1e-12) << word << ": too noisy to say anything";
   }
+}
+
+/// The algorithms whose grammar has the word, given light -> eye.
+inline std::vector<AlgorithmFacts> algorithms_that_find(const std::string& word) {
+  std::vector<AlgorithmFacts> found;
+  for (const AlgorithmFacts& algorithm : kAlgorithms)
+    if (taxonomy::builtin_grammars().find(algorithm.grammar)->language.contains(taxonomy::parse_word(word)))
+      found.push_back(algorithm);
+  return found;
 }
 
 /// Every word over D and S of at most `longest` scatterings.

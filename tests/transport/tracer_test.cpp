@@ -50,7 +50,7 @@ TEST(GlassBall, IsCrossedInPairsAtEveryScaleAndDistance) {
 }
 
 TEST(GlassBall, IsInvisibleInAWhiteRoom) {
-  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+  for (const AlgorithmFacts& algorithm : algorithms_that_find("LeStStEp")) {
     const auto record =
         render(glass_ball(1, {0, 0, 0}, 1.5f),
                {.algorithm = algorithm.id, .width = 32, .height = 32, .samples_per_pixel = 256, .max_depth = 200});
@@ -64,7 +64,7 @@ TEST(GlassBall, HoldsRadianceTimesTheSquareOfItsIndex) {
   // From the centre all rays leave head on; inside, the sky's radiance is larger by n^2 (Veach 1997, 5.2).
   Scene scene = glass_ball(1, {0, 0, 0}, 1.5f);
   scene.camera = {.position = {0, 0, 0}, .look_at = {0, 0, -1}};
-  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+  for (const AlgorithmFacts& algorithm : algorithms_that_find("LeStEp")) {
     const auto record = render(scene, {.algorithm = algorithm.id, .width = 8, .height = 8, .samples_per_pixel = 256});
     expect_energies(record, {{"LSE", 2.25 * 0.96}});
     const auto total = record::energy(record, std::vector<bool>(record.words.size(), true));
@@ -157,7 +157,7 @@ TEST(SmoothMesh, AConvexMirrorIsSeenInOneReflectionUpToItsRim) {
   add(scene, smooth_ball(16), {.name = "mirror", .lobes = {Mirror{Rgb(1)}}});
   scene.environment = Rgb(1);
   scene.camera = {.position = {0, 0, 4}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 32};
-  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+  for (const AlgorithmFacts& algorithm : algorithms_that_find("LeSrEp")) {
     const auto record = render(scene, {.algorithm = algorithm.id, .width = 64, .height = 64, .samples_per_pixel = 16});
     ASSERT_EQ(record.words.size(), 2u) << algorithm.name;
     EXPECT_EQ(taxonomy::plain(record.words[0]), "LE");

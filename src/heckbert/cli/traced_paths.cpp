@@ -31,7 +31,9 @@ transport::PixelFilter filter_of(const std::string& text) {
 }
 
 std::string_view name_of(record::Technique technique) {
-  return technique == record::Technique::Hit ? "hit" : "next event";
+  if (technique.merged) return "merge";
+  if (technique == record::Technique::Hit) return "hit";
+  return technique == record::Technique::NextEvent ? "next event" : "connect";
 }
 
 /// The record's words at the pixel and how many paths of each there are must be those of the paths.

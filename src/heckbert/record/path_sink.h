@@ -5,6 +5,8 @@
 // The order of calls is begin_sample, then any number of add, add_non_path and end_path, then the next begin_sample.
 // All samples of a pixel arrive together.
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -13,8 +15,22 @@
 
 namespace heckbert::record {
 
-/// How a path was found.
-enum class Technique : std::uint8_t { Hit, NextEvent };
+/// How a path was found: by a walk of s vertices from the light and one of t from the eye, the ends included, joined in
+/// the middle. A path of n scatterings has n + 2 vertices, so that t follows from s. Where two walks are taken to have
+/// met although they only came near each other (photon mapping), one vertex is of both, and s + t is one more.
+struct Technique {
+  std::uint16_t light_vertices = 0;  ///< s
+  bool merged = false;
+  static const Technique Hit;        ///< s = 0: the walk from the eye ran into the light
+  static const Technique NextEvent;  ///< s = 1: a point of the light was joined to it
+
+  constexpr std::size_t eye_vertices(std::size_t scatterings) const {
+    return scatterings + (merged ? 3u : 2u) - light_vertices;
+  }
+  auto operator<=>(const Technique&) const = default;
+};
+inline constexpr Technique Technique::Hit{0, false};
+inline constexpr Technique Technique::NextEvent{1, false};
 
 /// Light that no path carries: the ambient term, and the lecture's mirror ray continued at a diffuse surface.
 enum class NonPath : std::uint8_t { Ambient, Phantom };

@@ -79,8 +79,10 @@ int batches_in_use(const RenderInfo& info);
 
 /// What happened to the walks; every sample that was not recorded is counted here.
 struct Tally {
-  std::uint64_t samples = 0;                ///< camera samples begun
-  std::uint64_t hits = 0, next_events = 0;  ///< contributions, by technique
+  std::uint64_t samples = 0;  ///< camera samples begun
+  /// Contributions, by technique: no vertex from the light, one, several, and walks that met.
+  std::uint64_t hits = 0, next_events = 0, connections = 0, merges = 0;
+  std::uint64_t contributions() const { return hits + next_events + connections + merges; }
   std::uint64_t escaped = 0, escaped_unlit = 0, absorbed = 0, depth_limited = 0, roulette = 0;
   std::uint64_t rejected_not_finite = 0, rejected_negative = 0;
   /// Contributions brighter than kMostLight, added as kMostLight, and those too faint for a quantum (sum.h).
@@ -98,10 +100,12 @@ struct TallyFacts {
   std::uint64_t Tally::*field;
 };
 
-inline constexpr std::array<TallyFacts, 14> kTallyFields{{
+inline constexpr std::array<TallyFacts, 16> kTallyFields{{
     {"samples", &Tally::samples},
     {"hits", &Tally::hits},
     {"next_events", &Tally::next_events},
+    {"connections", &Tally::connections},
+    {"merges", &Tally::merges},
     {"escaped", &Tally::escaped},
     {"escaped_unlit", &Tally::escaped_unlit},
     {"absorbed", &Tally::absorbed},

@@ -16,7 +16,7 @@ namespace heckbert::record::exr {
 
 namespace {
 
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 constexpr const char* kLayout = "heckbert.record";
 constexpr const char* kWords = "heckbert.words";
 constexpr const char* kIdChannel = "id";

@@ -17,6 +17,12 @@ std::vector<std::uint32_t> sorting_order(const std::vector<taxonomy::Word>& word
   return order;
 }
 
+std::uint64_t& count_of(Tally& tally, Technique technique) {
+  if (technique.merged) return tally.merges;
+  if (technique == Technique::Hit) return tally.hits;
+  return technique == Technique::NextEvent ? tally.next_events : tally.connections;
+}
+
 }  // namespace
 
 TileRecorder::TileRecorder(const RenderInfo& info, const SampleMap* sample_map)
@@ -61,7 +67,7 @@ void TileRecorder::add(const Contribution& contribution) {
   Found& found = batches_[slot.tile_word][batch_];
   ++found.count;
   found.sum += batch_weight_ == 1.0f ? sum : RgbSum(value * batch_weight_);
-  ++(contribution.technique == Technique::Hit ? tile_.tally.hits : tile_.tally.next_events);
+  ++count_of(tile_.tally, contribution.technique);
 }
 
 void TileRecorder::add(std::span<const Contribution> contributions) {

@@ -129,7 +129,7 @@ Estimate energy(const Record& record, const std::vector<bool>& chosen, double co
 }
 
 double mean_contribution(const Record& record) {
-  const std::uint64_t count = record.tally.hits + record.tally.next_events;
+  const std::uint64_t count = record.tally.contributions();
   return count > 0 ? static_cast<double>(luminance(mean_colour(record, std::vector<bool>(record.words.size(), true)))) /
                          static_cast<double>(count)
                    : 0.0;

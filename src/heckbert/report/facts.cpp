@@ -54,6 +54,14 @@ std::string precision(const record::RenderInfo& info, const record::Tally& tally
   return text;
 }
 
+std::string found(const record::Tally& tally) {
+  std::string text = fmt::format("{} by hitting a light, {} by next-event estimation", grouped(tally.hits),
+                                 grouped(tally.next_events));
+  if (tally.connections > 0) text += fmt::format(", {} by connecting walks", grouped(tally.connections));
+  if (tally.merges > 0) text += fmt::format(", {} by merging walks", grouped(tally.merges));
+  return text;
+}
+
 }  // namespace
 
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally) {
@@ -65,8 +73,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
       {"Seed", info.parts.empty() ? std::to_string(info.seed) : samples_text(info)},
       {"Depth", fmt::format("at most {} scatterings per path", info.max_depth)},
       {"Labels", info.labels.empty() ? "none" : info.labels},
-      {"Paths found", fmt::format("{} by hitting a light, {} by next-event estimation", grouped(tally.hits),
-                                  grouped(tally.next_events))},
+      {"Paths found", found(tally)},
       {"Walks ended",
        fmt::format("{} escaped ({} where there is no environment), {} absorbed, {} at the depth limit, {} by roulette",
                    grouped(tally.escaped), grouped(tally.escaped_unlit), grouped(tally.absorbed),

@@ -17,18 +17,22 @@
 
 namespace heckbert::transport {
 
-enum class AlgorithmId : std::uint8_t { Path, Whitted, Lecture };
+enum class AlgorithmId : std::uint8_t { Path, PathHits, PathNextEvent, Whitted, Lecture };
 
 struct AlgorithmFacts {
   AlgorithmId id;
   std::string_view name;     ///< as on the command line
   std::string_view grammar;  ///< the grammar that predicts its words
   std::string_view title;
+  bool media = true;    ///< takes scenes with media, and with bodies in one another
+  bool splats = false;  ///< walks from the light too, whose paths may end at any pixel
 };
 
 /// Every algorithm that can render; the command line, the help and the tests read this table.
-inline constexpr std::array<AlgorithmFacts, 3> kAlgorithms{{
+inline constexpr std::array<AlgorithmFacts, 5> kAlgorithms{{
     {AlgorithmId::Path, "path", "path-tracing", "reference path tracer"},
+    {AlgorithmId::PathHits, "path-hits", "path-tracing-hits", "path tracer that runs into lights"},
+    {AlgorithmId::PathNextEvent, "path-next-event", "path-tracing-next-event", "path tracer that asks for the light"},
     {AlgorithmId::Whitted, "whitted", "whitted", "Whitted's recursive ray tracer"},
     {AlgorithmId::Lecture, "lecture", "lecture", "the lecture's recursive ray tracer"},
 }};
@@ -42,9 +46,7 @@ struct RenderSettings {
   std::vector<bool> skip{};    ///< by pixel of the window, row by row: not to be traced; empty: all are
   int max_depth = 32;          ///< most scatterings per path
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: all cores
-  /// Off: the path tracer finds lamps by running into them alone. For comparison; lights that cannot be hit stay dark.
-  bool next_event_estimation = true;
+  int threads = 0;                                ///< 0: all cores
   std::optional<record::SampleMap> sample_map{};  ///< for the window; unset: every pixel once
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;

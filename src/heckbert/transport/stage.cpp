@@ -18,13 +18,16 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
              labels_,
              settings.max_depth,
              has_bodies(scene),
-             has_bodies(scene) ? bodies_at(scene, tracer_, scene.camera.position) : Bodies{},
-             settings.next_event_estimation} {}
+             has_bodies(scene) ? bodies_at(scene, tracer_, scene.camera.position) : Bodies{}} {}
 
 void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
   switch (algorithm) {
     case AlgorithmId::Path:
       return trace_path(world, walk, ray);
+    case AlgorithmId::PathHits:
+      return trace_path(world, walk, ray, {.next_event = false});
+    case AlgorithmId::PathNextEvent:
+      return trace_path(world, walk, ray, {.hits = false});
     case AlgorithmId::Whitted:
       return trace_recursively(world, walk, ray, {.glossy_highlights = true, .mirror_at_diffuse = false});
     case AlgorithmId::Lecture:

@@ -31,7 +31,6 @@ struct World {
   int max_depth;
   bool has_bodies = false;  ///< some space is filled: with a medium, or with what a surface encloses
   Bodies bodies_at_eye{};
-  bool next_event_estimation = true;
 };
 
 /// What one camera sample carries along.
