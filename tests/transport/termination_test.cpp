@@ -63,7 +63,7 @@ TEST(Escape, IsCountedApartWhereThereIsNoEnvironment) {
   Scene scene;
   add(scene, Sphere{{0, 0, 0}, 1}, diffuse(0.5f));
   scene.camera = {.position = {0, 0, 4}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 60};
-  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+  for (const AlgorithmFacts& algorithm : algorithms_that_find("LeDrEp")) {
     const RenderSettings settings{.algorithm = algorithm.id, .width = 16, .height = 16, .samples_per_pixel = 4};
     scene.environment = Rgb(0);
     const record::Tally dark = render(scene, settings).tally;

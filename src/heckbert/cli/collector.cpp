@@ -10,7 +10,11 @@ Collector::Collector(record::Sums begun, std::optional<double> seconds, Write wr
 }
 
 void Collector::take(record::Tile tile) {
+  pixels_waiting_ += tile.window.pixel_count();
   tiles_.push_back(std::move(tile));
+  // Tiles that overlap take more memory apart than together.
+  constexpr std::size_t kMostPictures = 8;
+  if (pixels_waiting_ > kMostPictures * sums_.info.window.pixel_count()) add_up();
   if (!interval_ || Clock::now() - last_ < *interval_) return;
   add_up();
   write_(sums_);
@@ -25,6 +29,7 @@ record::Sums Collector::finish() {
 void Collector::add_up() {
   sums_ = record::completed(std::move(sums_), std::move(tiles_));
   tiles_.clear();
+  pixels_waiting_ = 0;
 }
 
 }  // namespace heckbert::cli

@@ -30,6 +30,7 @@ class Collector {
 
   record::Sums sums_;
   std::vector<record::Tile> tiles_;  ///< not yet in sums_
+  std::size_t pixels_waiting_ = 0;   ///< of all of these
   std::optional<Clock::duration> interval_;
   Write write_;
   Clock::time_point last_ = Clock::now();

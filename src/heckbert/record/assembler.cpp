@@ -25,7 +25,9 @@ void append_row(Record& record, const Tile& tile, int y, const std::vector<std::
   copy_row(tile.ambient, record.ambient, tile, from, to);
   copy_row(tile.phantom, record.phantom, tile, from, to);
   for (std::size_t pixel = from; pixel < from + width; ++pixel) {
-    for (std::size_t e = tile.offsets[pixel]; e < tile.offsets[pixel + 1]; ++e) {
+    // What was splatted onto a pixel before its first sample, in a render that was stopped, waits in the sums.
+    const bool is_seen = tile.samples[pixel] > 0;
+    for (std::size_t e = tile.offsets[pixel]; is_seen && e < tile.offsets[pixel + 1]; ++e) {
       const EntrySum& entry = tile.entries[e];
       record.entries.push_back({rank[entry.word], mean_of(entry.sum, tile.samples[pixel]), entry.count});
     }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 
 #include <heckbert/record/rgb.h>
 #include <heckbert/taxonomy/word_trie.h>
@@ -56,6 +57,12 @@ class PathSink {
   /// All of them, in their order: one call per sample is cheaper than one per path.
   virtual void add(std::span<const Contribution> contributions) {
     for (const Contribution& contribution : contributions) add(contribution);
+  }
+  /// Light that a walk from the light brings to some pixel of the picture, as part of the sample under way. The value
+  /// is already divided by the number of such walks that make up one sample of every pixel. Only sinks of algorithms
+  /// that splat take any. Errors: std::logic_error otherwise.
+  virtual void splat(int /*x*/, int /*y*/, const Contribution& /*contribution*/) {
+    throw std::logic_error("this sink takes no light for other pixels than the sample's");
   }
   virtual void add_non_path(NonPath buffer, Rgb value) = 0;
   virtual void end_path(PathEnd end) = 0;

@@ -26,7 +26,8 @@ std::uint64_t& count_of(Tally& tally, Technique technique) {
 }  // namespace
 
 TileRecorder::TileRecorder(const RenderInfo& info, const SampleMap* sample_map)
-    : samples_of_the_whole_(samples_of(info).front().of),
+    : window_(info.window),
+      samples_of_the_whole_(samples_of(info).front().of),
       sample_map_(sample_map),
       mean_repeats_(sample_map == nullptr ? 1.0f : static_cast<float>(sample_map->mean())) {}
 
@@ -72,6 +73,21 @@ void TileRecorder::add(const Contribution& contribution) {
 
 void TileRecorder::add(std::span<const Contribution> contributions) {
   for (const Contribution& contribution : contributions) add(contribution);
+}
+
+void TileRecorder::splat(int x, int y, const Contribution& contribution) {
+  assert(sample_map_ == nullptr);
+  if (x < window_.x0 || x >= window_.x1 || y < window_.y0 || y >= window_.y1) return;
+  Rgb value = contribution.value;
+  if (is_black(value) || !accept(value)) return;
+  const auto pixel = static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
+                     static_cast<std::size_t>(x - window_.x0);
+  splats_.add(pixel, contribution.word, batch_, sum_of(value));
+  ++count_of(tile_.tally, contribution.technique);
+}
+
+Tile TileRecorder::end_splats() {
+  return splats_.tile(window_, words());
 }
 
 void TileRecorder::add_non_path(NonPath buffer, Rgb value) {

@@ -14,6 +14,7 @@
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/record.h>
 #include <heckbert/record/sample_map.h>
+#include <heckbert/record/splats.h>
 
 namespace heckbert::record {
 
@@ -58,10 +59,14 @@ class TileRecorder final : public PathSink {
   void begin_tile(const Window& window);
   /// Call after the last sample of the tile. Pixels without samples have no entries.
   Tile end_tile();
+  /// All splats since the last call, as a tile of the picture's window that has no samples.
+  Tile end_splats();
 
   void begin_sample(int x, int y, int sample) override;
   void add(const Contribution& contribution) override;
   void add(std::span<const Contribution> contributions) override;
+  /// Pixels outside of the picture's window get nothing. Takes no sample map.
+  void splat(int x, int y, const Contribution& contribution) override;
   void add_non_path(NonPath buffer, Rgb value) override;
   void end_path(PathEnd end) override;
   void add_cut_off(Rgb value) override;
@@ -92,6 +97,7 @@ class TileRecorder final : public PathSink {
   void enlist(taxonomy::WordTrie::Node node, Slot& slot);
   void finish_pixel();
 
+  Window window_;                 ///< of the picture
   int samples_of_the_whole_ = 0;  ///< per pixel, of which this recorder may get a part
   const SampleMap* sample_map_ = nullptr;
   float mean_repeats_ = 1;
@@ -107,6 +113,7 @@ class TileRecorder final : public PathSink {
   int pixel_samples_ = 0;   ///< 0: no pixel begun
   std::size_t batch_ = 0;   ///< of the current sample
   float batch_weight_ = 1;  ///< of the current pixel's samples in their batches: one over their repeats
+  Splats splats_;           ///< of all tiles since end_splats()
 };
 
 class WordSums;

@@ -80,27 +80,7 @@ SurfaceSample sample_cone(const Emitter& e, glm::vec3 from, float distance2, glm
 }
 
 SurfaceSample sample_by_area(const Emitter& e, glm::vec3 from, glm::vec2 u) {
-  SurfaceSample s{.position = e.origin, .normal = e.normal};
-  switch (e.form) {
-    case Form::Triangle: {
-      const glm::vec2 b = uniform_triangle(u);
-      s.position += b.x * e.edge_u + b.y * e.edge_v;
-      break;
-    }
-    case Form::Rectangle:
-      s.position += u.x * e.edge_u + u.y * e.edge_v;
-      break;
-    case Form::Disk: {
-      const glm::vec2 d = e.radius * uniform_disk(u);
-      const Frame frame = Frame::around(e.normal);
-      s.position += d.x * frame.s + d.y * frame.t;
-      break;
-    }
-    case Form::Sphere:
-      s.normal = uniform_sphere(u);
-      s.position += e.radius * s.normal;
-      break;
-  }
+  SurfaceSample s = sample_area(e, u);
   s.pdf_solid_angle = pdf_by_area(e, from, s.position, s.normal);
   return s;
 }
@@ -161,6 +141,31 @@ Emitter sphere_emitter(glm::vec3 center, float radius) {
           .center = center,
           .extent = radius,
           .area = 4.0f * kPi * radius * radius};
+}
+
+SurfaceSample sample_area(const Emitter& e, glm::vec2 u) {
+  SurfaceSample s{.position = e.origin, .normal = e.normal};
+  switch (e.form) {
+    case Form::Triangle: {
+      const glm::vec2 b = uniform_triangle(u);
+      s.position += b.x * e.edge_u + b.y * e.edge_v;
+      break;
+    }
+    case Form::Rectangle:
+      s.position += u.x * e.edge_u + u.y * e.edge_v;
+      break;
+    case Form::Disk: {
+      const glm::vec2 d = e.radius * uniform_disk(u);
+      const Frame frame = Frame::around(e.normal);
+      s.position += d.x * frame.s + d.y * frame.t;
+      break;
+    }
+    case Form::Sphere:
+      s.normal = uniform_sphere(u);
+      s.position += e.radius * s.normal;
+      break;
+  }
+  return s;
 }
 
 SurfaceSample sample_surface(const Emitter& e, glm::vec3 from, glm::vec2 u) {

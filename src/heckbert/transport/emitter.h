@@ -46,6 +46,9 @@ struct SurfaceSample {
   float pdf_solid_angle = 0;
 };
 
+/// A point of the piece, all parts of its area alike; pdf_solid_angle says nothing.
+SurfaceSample sample_area(const Emitter& emitter, glm::vec2 u);
+
 /// A point of the piece as seen from `from`.
 SurfaceSample sample_surface(const Emitter& emitter, glm::vec3 from, glm::vec2 u);
 

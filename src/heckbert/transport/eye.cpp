@@ -1,5 +1,6 @@
 #include <heckbert/transport/eye.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -56,9 +57,81 @@ Ray Eye::ray(int x, int y, Sampler& sampler) const {
 Ray Eye::through_lens(glm::vec2 film, Sampler& sampler) const {
   const glm::vec3 through = film.x * right_ + film.y * up_ + forward_;
   if (lens_radius_ <= 0) return {position_, glm::normalize(through)};
-  const glm::vec2 lens = lens_radius_ * uniform_disk(sampler.next2());
-  const glm::vec3 origin = position_ + lens.x * right_ + lens.y * up_;
+  const glm::vec3 origin = lens_point(sampler.next2());
   return {origin, glm::normalize(position_ + focus_distance_ * through - origin)};
+}
+
+glm::vec3 Eye::lens_point(glm::vec2 u) const {
+  const glm::vec2 lens = lens_radius_ * uniform_disk(u);
+  return position_ + lens.x * right_ + lens.y * up_;
+}
+
+float Eye::lens_area() const {
+  return kPi * lens_radius_ * lens_radius_;
+}
+
+float Eye::cosine(glm::vec3 direction) const {
+  return std::abs(glm::dot(direction, forward_));
+}
+
+float Eye::pixels_along(glm::vec3 direction) const {
+  const float per_film = 1.0f / std::abs(pixel_.x * pixel_.y);
+  switch (projection_) {
+    case Projection::Perspective: {
+      const float cosine = glm::dot(direction, forward_);
+      return per_film / (cosine * cosine * cosine);
+    }
+    case Projection::Orthographic:
+      return per_film;
+    case Projection::Panoramic:
+      break;
+  }
+  const float sine = glm::dot(direction, up_);
+  return per_film / std::sqrt(std::max(1e-12f, 1.0f - sine * sine));
+}
+
+std::optional<Sight> Eye::sight_of(glm::vec3 point, glm::vec2 u) const {
+  const glm::vec3 to_point = point - position_;
+  if (projection_ == Projection::Orthographic) {
+    const float depth = glm::dot(to_point, forward_);
+    if (!(depth > 0)) return std::nullopt;
+    const glm::vec2 film(glm::dot(to_point, right_), glm::dot(to_point, up_));
+    return Sight{point - depth * forward_, forward_, place_of(film), pixels_along(forward_)};
+  }
+  const glm::vec3 lens = has_lens() ? lens_point(u) : position_;
+  return point == lens ? std::nullopt : sight(lens, glm::normalize(point - lens));
+}
+
+std::optional<Sight> Eye::sight_along(glm::vec3 direction, glm::vec2 u) const {
+  if (projection_ == Projection::Orthographic) return std::nullopt;
+  return sight(has_lens() ? lens_point(u) : position_, direction);
+}
+
+std::optional<Sight> Eye::sight_met_by(const Ray& ray, float farthest) const {
+  if (!has_lens()) return std::nullopt;
+  const float approach = glm::dot(ray.direction, forward_);
+  if (!(approach < 0)) return std::nullopt;
+  const float distance = glm::dot(position_ - ray.origin, forward_) / approach;
+  if (!(distance > 0 && distance < farthest)) return std::nullopt;
+  const glm::vec3 lens = ray.origin + distance * ray.direction;
+  if (!(glm::distance(lens, position_) < lens_radius_)) return std::nullopt;
+  return sight(lens, -ray.direction);
+}
+
+std::optional<Sight> Eye::sight(glm::vec3 lens, glm::vec3 direction) const {
+  const float depth = glm::dot(direction, forward_), x = glm::dot(direction, right_), y = glm::dot(direction, up_);
+  if (projection_ == Projection::Panoramic) {
+    const glm::vec2 film(std::atan2(x, depth), std::asin(std::clamp(y, -1.0f, 1.0f)));
+    return Sight{lens, direction, place_of(film), pixels_along(direction)};
+  }
+  if (!(depth > 0)) return std::nullopt;
+  glm::vec2 film = glm::vec2(x, y) / depth;
+  // Rays through one point of the picture meet in the plane that is in focus.
+  if (has_lens()) {
+    const glm::vec3 off_axis = lens - position_;
+    film += glm::vec2(glm::dot(off_axis, right_), glm::dot(off_axis, up_)) / focus_distance_;
+  }
+  return Sight{lens, direction, place_of(film), pixels_along(direction)};
 }
 
 }  // namespace heckbert::transport

@@ -1,5 +1,10 @@
 #pragma once
-// Primary rays: a point of the picture to a ray, through a pinhole or a thin lens, in parallel, or all around.
+// Primary rays: a point of the picture to a ray, through a pinhole or a thin lens, in parallel, or all around; and the
+// way back, for walks from the light: where in the picture a point is seen, and how large it looks there. How large is
+// counted in pixels per steradian at the eye, or, where all rays are parallel, per area; for a pinhole this is Veach's
+// importance W_e times the cosine (Veach 1997, 8.2; pbrt-v3, 16.1.1).
+
+#include <optional>
 
 #include <glm/vec2.hpp>
 
@@ -10,6 +15,14 @@
 #include <heckbert/transport/tracer.h>
 
 namespace heckbert::transport {
+
+/// A line of sight, and where in the picture it shows.
+struct Sight {
+  glm::vec3 from{0};       ///< on the lens; of a parallel eye, in its plane
+  glm::vec3 direction{0};  ///< unit, into the scene
+  glm::vec2 place{0};      ///< in pixels from the picture's upper left corner, wherever it falls
+  float pixels = 0;        ///< per steradian; of a parallel eye, per area that faces it
+};
 
 class Eye {
  public:
@@ -22,8 +35,29 @@ class Eye {
   /// A ray for pixel (x, y), y downwards, through a point drawn by the pixel filter.
   Ray ray(int x, int y, Sampler& sampler) const;
 
+  bool has_lens() const { return lens_radius_ > 0; }
+  float lens_area() const;
+  bool is_parallel() const { return projection_ == Projection::Orthographic; }
+  glm::vec3 position() const { return position_; }
+
+  /// To a point of the scene, through a point of the lens drawn by `u`. Nothing when the eye looks away from it.
+  std::optional<Sight> sight_of(glm::vec3 point, glm::vec2 u) const;
+  /// To infinity. Nothing also when all rays are parallel: they see one direction, and no other.
+  std::optional<Sight> sight_along(glm::vec3 direction, glm::vec2 u) const;
+  /// Where a ray from the scene meets the lens, at most so far away.
+  std::optional<Sight> sight_met_by(const Ray& ray, float farthest) const;
+  /// Sight::pixels of a primary ray.
+  float pixels_along(glm::vec3 direction) const;
+  /// Of a direction, with the lens's or picture's axis.
+  float cosine(glm::vec3 direction) const;
+  /// See FilterSampler::pixel_at.
+  std::optional<PixelShare> pixel_at(glm::vec2 place, glm::vec2 u) const { return filter_.pixel_at(place, u); }
+
  private:
   Ray through_lens(glm::vec2 film, Sampler& sampler) const;
+  glm::vec3 lens_point(glm::vec2 u) const;
+  glm::vec2 place_of(glm::vec2 film) const { return (film - corner_) / pixel_; }
+  std::optional<Sight> sight(glm::vec3 lens, glm::vec3 direction) const;
 
   Projection projection_;
   FilterSampler filter_;

@@ -47,6 +47,43 @@ FilterSampler::FilterSampler(const PixelFilter& filter) : filter_(filter) {
     previous = value;
   }
   for (const double c : cumulative) cumulative_.push_back(static_cast<float>(c / sum));
+  integral_ = static_cast<float>(sum * 2 * static_cast<double>(filter.radius) / kSteps);
+}
+
+std::optional<PixelShare> FilterSampler::pixel_at(glm::vec2 place, glm::vec2 u) const {
+  const AxisShare x = pixel_on_axis(place.x, u.x), y = pixel_on_axis(place.y, u.y);
+  if (!(x.weight * y.weight > 0)) return std::nullopt;
+  return PixelShare{x.pixel, y.pixel, x.weight * y.weight};
+}
+
+FilterSampler::AxisShare FilterSampler::pixel_on_axis(float place, float u) const {
+  constexpr float kFarOutside = 1e6f;
+  if (!(std::abs(place) < kFarOutside)) return {};
+  const float radius = filter_.radius;
+  // The usual case, without doubt about where one pixel ends and the next begins.
+  if (filter_.kind == FilterKind::Box && radius == 0.5f) return {static_cast<int>(std::floor(place)), 1};
+  const int first = static_cast<int>(std::ceil(place - 0.5f - radius));
+  const int last = static_cast<int>(std::floor(place - 0.5f + radius));
+  const auto value = [&](int pixel) { return density(place - 0.5f - static_cast<float>(pixel)); };
+  AxisShare share;
+  for (int pixel = first; pixel <= last; ++pixel) share.weight += value(pixel);
+  float left = u * share.weight;
+  for (int pixel = first; pixel <= last; ++pixel) {
+    if (!(value(pixel) > 0)) continue;
+    share.pixel = pixel;
+    if (left < value(pixel)) break;
+    left -= value(pixel);
+  }
+  return share;
+}
+
+float FilterSampler::density(float distance) const {
+  const float from_edge = (distance + filter_.radius) / (2 * filter_.radius) * kSteps;
+  if (!(from_edge >= 0 && from_edge < kSteps)) return 0;
+  if (filter_.kind == FilterKind::Box) return 1 / (2 * filter_.radius);
+  const auto step = static_cast<std::size_t>(from_edge);
+  const float part = from_edge - static_cast<float>(step);
+  return (values_[step] + part * (values_[step + 1] - values_[step])) / integral_;
 }
 
 float FilterSampler::sample_axis(float u) const {

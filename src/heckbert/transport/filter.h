@@ -4,6 +4,7 @@
 // Sampling"). Samples of neighbouring pixels stay independent, and a record needs no splatting.
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -30,18 +31,35 @@ inline constexpr std::array<FilterFacts, 4> kFilters{{
 /// The filter along one axis at a distance from the pixel's centre; 1 in the middle, not normalised.
 double filter_value(const PixelFilter& filter, double distance);
 
+/// A pixel to which a point of the picture belongs.
+struct PixelShare {
+  int x = 0, y = 0;
+  float weight = 1;  ///< the filter's, over the chance that this pixel was drawn
+};
+
 class FilterSampler {
  public:
   explicit FilterSampler(const PixelFilter& filter);
   /// A point of the picture relative to the pixel's centre, in pixels.
   glm::vec2 sample(glm::vec2 u) const { return {sample_axis(u.x), sample_axis(u.y)}; }
+  /// The other way round: one of the pixels whose filters reach the point `place`, drawn by their values there.
+  /// Nothing where none does. In pixels from the upper left corner; pixel (0, 0) has its centre at (0.5, 0.5).
+  std::optional<PixelShare> pixel_at(glm::vec2 place, glm::vec2 u) const;
 
  private:
   float sample_axis(float u) const;
+  /// Per pixel, at a distance from the centre; the density of sample_axis.
+  float density(float distance) const;
+  struct AxisShare {
+    int pixel = 0;
+    float weight = 0;
+  };
+  AxisShare pixel_on_axis(float place, float u) const;
 
   PixelFilter filter_;
   std::vector<float> values_;      ///< at equal steps from -radius to radius
   std::vector<float> cumulative_;  ///< of the piecewise linear density through them, from 0 to 1
+  float integral_ = 1;             ///< of the piecewise linear function, over pixels
 };
 
 }  // namespace heckbert::transport

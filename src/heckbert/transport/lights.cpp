@@ -1,5 +1,6 @@
 #include <heckbert/transport/lights.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -74,6 +75,8 @@ Lights::Lights(const Scene& scene, const Tracer& tracer) : scene_(scene), tracer
     far_.push_back({Type::Environment, 0});
     far_power.push_back(4 * std::numbers::pi * std::numbers::pi * radius * radius * environment_.mean_radiance());
   }
+  for (std::size_t i = 0; i < near_.size(); ++i) powers_.push_back({near_[i], near_power[i]});
+  for (std::size_t i = 0; i < far_.size(); ++i) powers_.push_back({far_[i], far_power[i]});
   const double lamps = std::accumulate(near_power.begin(), near_power.end(), 0.0);
   const double sky = std::accumulate(far_power.begin(), far_power.end(), 0.0);
   // A wide floor must not starve the lamps that stand on it: the sky is never chosen more often than all of them.
@@ -108,7 +111,22 @@ float Lights::pdf_environment(glm::vec3 direction) const {
              : 0.0f;
 }
 
+float Lights::probability(LightSource source, glm::vec3 from) const {
+  // Both lists are sorted: first by type, then by index.
+  const auto before = [](const LightSource& a, const LightSource& b) {
+    return a.type != b.type ? a.type < b.type : a.index < b.index;
+  };
+  const bool is_far = source.type == LightSource::Type::Distant || source.type == LightSource::Type::Environment;
+  const std::vector<LightSource>& list = is_far ? far_ : near_;
+  const auto place =
+      static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), source, before) - list.begin());
+  if (is_far) return static_cast<float>(groups_.probability(place + 1));
+  const double within = near_tree_ ? near_tree_->probability(place, from) : near_choice_.probability(place);
+  return static_cast<float>(groups_.probability(0) * within);
+}
+
 float Lights::pdf_solid_angle(const Hit& hit, glm::vec3 from) const {
+  // The tracer's emitters come first among the near lights.
   const double within = near_tree_ ? near_tree_->probability(hit.emitter, from) : near_choice_.probability(hit.emitter);
   const double choice = groups_.probability(0) * within;
   return static_cast<float>(choice) *

@@ -57,6 +57,16 @@ class Lights {
   Rgb environment(glm::vec3 direction) const { return environment_.radiance(direction); }
   float pdf_environment(glm::vec3 direction) const;
   bool has_environment() const { return !environment_.is_black(); }
+  const Environment& sky() const { return environment_; }
+
+  /// Every light that gives light, and the power of its strongest channel in W.
+  struct Power {
+    LightSource source{};
+    double watts = 0;
+  };
+  const std::vector<Power>& powers() const { return powers_; }
+  /// The chance that sample() chooses this light; that of an emitter is part of pdf_solid_angle().
+  float probability(LightSource source, glm::vec3 from) const;
 
  private:
   /// Without its texture.
@@ -77,6 +87,7 @@ class Lights {
   DiscreteDistribution near_choice_;    ///< by power otherwise
   DiscreteDistribution groups_;         ///< all of near_, then each of far_
   std::optional<LightSource> only_;     ///< where there is nothing to choose
+  std::vector<Power> powers_;           ///< of near_, then of far_
 };
 
 }  // namespace heckbert::transport

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <heckbert/record/recorder.h>
+#include <heckbert/record/sums.h>
 #include <heckbert/transport/filter.h>
 #include <heckbert/transport/material.h>
 #include <heckbert/transport/scene_hash.h>
@@ -28,10 +30,8 @@ using record::Window;
 namespace {
 
 constexpr int kTileSize = 32;
-
-Window picture_window(const RenderSettings& settings) {
-  return settings.crop.value_or(Window{0, 0, settings.width, settings.height});
-}
+/// Splats are handed over this often, for checkpoints.
+constexpr std::chrono::seconds kLongestWait{20};
 
 void check(const Scene& scene, const RenderSettings& settings) {
   const auto require = [](bool holds, const std::string& what) {
@@ -62,8 +62,14 @@ void check(const Scene& scene, const RenderSettings& settings) {
           "the sample map must repeat every pixel of the window at least once");
   require(settings.skip.empty() || settings.skip.size() == w.pixel_count(),
           "the pixels to skip must be those of the window");
+  const AlgorithmFacts& algorithm = facts(settings.algorithm);
+  require(!settings.sample_map || !algorithm.splats,
+          fmt::format("a sample map is for walks from the eye alone; {} has others", algorithm.title));
   for (const Material& material : scene.materials) check_material(scene, material);
   check_media(scene);
+  require(algorithm.media || !has_bodies(scene),
+          fmt::format("{} takes no scenes with media, index-matched boundaries or materials with an interior",
+                      algorithm.title));
 }
 
 record::SampleRange samples_of(const RenderSettings& settings) {
@@ -107,8 +113,8 @@ class ProgressMeter {
   std::chrono::steady_clock::time_point last_ = start_;
 };
 
-/// Traces every tile of the picture. `make_worker()` is called once per thread; a worker has sink(), begin(tile) and
-/// end().
+/// Traces every tile of the picture. `make_worker()` is called once per thread; a worker has sink(), begin(tile),
+/// end(), and finish() for the end of its work.
 /// Gives back whether the whole picture was done.
 template <class MakeWorker>
 bool trace_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks, bool wants_words,
@@ -176,6 +182,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
       pixels_done += pixels;
       meter.advance(pixels, rays);
     }
+    worker.finish();
   };
   tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner()); });
@@ -210,7 +217,7 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings) {
   record::RenderInfo info{
       .scene = scene.name,
       .scene_hash = fmt::format("{:016x}", hash_of(scene)),
-      .algorithm = std::string(kAlgorithms[static_cast<std::size_t>(settings.algorithm)].name),
+      .algorithm = std::string(facts(settings.algorithm).name),
       .sampler = std::string(kSamplers[static_cast<std::size_t>(settings.sampler)].name),
       .filter = fmt::format("{} {}", filter.name, settings.filter.radius),
       .width = settings.width,
@@ -229,34 +236,84 @@ bool render_tiles(const Scene& scene, const RenderSettings& settings, const Rend
   check(scene, settings);
   const record::RenderInfo info = info_of(scene, settings);
   std::mutex mutex;
+  /// Where walks splat, finished tiles wait for the splats that were made with them, and both go together, so that
+  /// what was handed over is always what some number of whole samples found.
   struct Worker {
+    using Clock = std::chrono::steady_clock;
     record::TileRecorder recorder;
     const std::function<void(record::Tile)>& take;
     std::mutex& mutex;
+    bool splats;
+    Window window;
+    std::vector<record::Tile> waiting{};
+    Clock::time_point last = Clock::now();
+
     record::PathSink& sink() { return recorder; }
     void begin(const Window& tile) { recorder.begin_tile(tile); }
     void end() {
-      record::Tile tile = recorder.end_tile();
+      if (!splats) return hand_over(recorder.end_tile());
+      waiting.push_back(recorder.end_tile());
+      if (Clock::now() - last >= kLongestWait) finish();
+    }
+    void finish() {
+      if (waiting.empty()) return;
+      waiting.push_back(recorder.end_splats());
+      hand_over(record::added(window, std::exchange(waiting, {})));
+      last = Clock::now();
+    }
+    void hand_over(record::Tile tile) {
       const std::scoped_lock lock(mutex);
       take(std::move(tile));
     }
   };
   return trace_tiles(scene, settings, hooks, true, [&] {
-    return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), take, mutex};
+    return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), take, mutex,
+                  facts(settings.algorithm).splats, info.window};
   });
 }
 
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
   check(scene, settings);
+  if (facts(settings.algorithm).splats) {
+    std::vector<record::Tile> tiles;
+    const bool complete =
+        render_tiles(scene, settings, hooks, [&](record::Tile tile) { tiles.push_back(std::move(tile)); });
+    record::Sums sums{info_of(scene, settings), record::added(picture_window(settings), std::move(tiles))};
+    sums.info.partial = !complete;
+    return record::record_of(std::move(sums));
+  }
   record::Assembler assembler(info_of(scene, settings));
   const bool complete =
       render_tiles(scene, settings, hooks, [&](record::Tile tile) { assembler.submit(std::move(tile)); });
   return assembler.finish(!complete);
 }
 
+record::TechniqueTable measure_techniques(const Scene& scene, const RenderSettings& settings,
+                                          const RenderHooks& hooks) {
+  check(scene, settings);
+  const record::RenderInfo info = info_of(scene, settings);
+  record::TechniqueTable table;
+  std::mutex mutex;
+  struct Worker {
+    record::TechniqueRecorder recorder;
+    record::TechniqueTable& table;
+    std::mutex& mutex;
+    record::PathSink& sink() { return recorder; }
+    void begin(const Window&) {}
+    void end() {}
+    void finish() {
+      const std::scoped_lock lock(mutex);
+      table = record::added(table, recorder.table());
+    }
+  };
+  trace_tiles(scene, settings, hooks, true, [&] { return Worker{record::TechniqueRecorder(info), table, mutex}; });
+  return table;
+}
+
 record::Image render_picture_only(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
   check(scene, settings);
   if (settings.sample_map) throw std::invalid_argument("a picture alone takes no sample map");
+  if (facts(settings.algorithm).splats) throw std::invalid_argument("a picture alone takes no splats");
   const Window window = picture_window(settings);
   record::Image image{window, std::vector<Rgb>(window.pixel_count())};
   struct Worker {
@@ -264,6 +321,7 @@ record::Image render_picture_only(const Scene& scene, const RenderSettings& sett
     record::PathSink& sink() { return picture; }
     void begin(const Window&) {}
     void end() {}
+    void finish() {}
   };
   trace_tiles(scene, settings, hooks, false, [&] { return Worker{PictureSink(image)}; });
   for (Rgb& pixel : image.pixels) pixel *= 1.0f / static_cast<float>(samples_of(settings).count());

@@ -11,13 +11,14 @@
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/recorder.h>
 #include <heckbert/record/sample_map.h>
+#include <heckbert/record/technique_table.h>
 #include <heckbert/transport/label_rule.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
 namespace heckbert::transport {
 
-enum class AlgorithmId : std::uint8_t { Path, PathHits, PathNextEvent, Whitted, Lecture };
+enum class AlgorithmId : std::uint8_t { Path, PathHits, PathNextEvent, Light, Bidirectional, Whitted, Lecture };
 
 struct AlgorithmFacts {
   AlgorithmId id;
@@ -29,13 +30,29 @@ struct AlgorithmFacts {
 };
 
 /// Every algorithm that can render; the command line, the help and the tests read this table.
-inline constexpr std::array<AlgorithmFacts, 5> kAlgorithms{{
+inline constexpr std::array<AlgorithmFacts, 7> kAlgorithms{{
     {AlgorithmId::Path, "path", "path-tracing", "reference path tracer"},
     {AlgorithmId::PathHits, "path-hits", "path-tracing-hits", "path tracer that runs into lights"},
     {AlgorithmId::PathNextEvent, "path-next-event", "path-tracing-next-event", "path tracer that asks for the light"},
+    {.id = AlgorithmId::Light,
+     .name = "light",
+     .grammar = "light-tracing",
+     .title = "light tracing",
+     .media = false,
+     .splats = true},
+    {.id = AlgorithmId::Bidirectional,
+     .name = "bidirectional",
+     .grammar = "bidirectional-path-tracing",
+     .title = "bidirectional path tracing",
+     .media = false,
+     .splats = true},
     {AlgorithmId::Whitted, "whitted", "whitted", "Whitted's recursive ray tracer"},
     {AlgorithmId::Lecture, "lecture", "lecture", "the lecture's recursive ray tracer"},
 }};
+
+constexpr const AlgorithmFacts& facts(AlgorithmId id) {
+  return kAlgorithms[static_cast<std::size_t>(id)];
+}
 
 struct RenderSettings {
   AlgorithmId algorithm = AlgorithmId::Path;
@@ -53,6 +70,11 @@ struct RenderSettings {
   LabelRule labels{};  ///< nothing
 };
 
+/// The part of the picture that is traced: all of it unless cropped.
+inline record::Window picture_window(const RenderSettings& settings) {
+  return settings.crop.value_or(record::Window{0, 0, settings.width, settings.height});
+}
+
 struct Progress {
   double fraction = 0;     ///< of all samples
   std::uint64_t rays = 0;  ///< traced so far
@@ -69,14 +91,22 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings);
 
 /// Traces the scene. The same settings and seed give the same record for any number of threads, and the
 /// records of all parts of a render merge to that of the whole, bit for bit.
+/// A render that splats and was stopped lacks light everywhere, not only where pixels are missing.
 /// Errors: std::invalid_argument for settings out of range or a scene that breaks the rules of scene.h. A scene without
 /// lights is black, not an error.
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks = {});
 
 /// Traces the scene and hands over sums as tiles are finished: in no certain order, from tracing threads, one at a
-/// time. Gives back whether it was not stopped. Errors: as render().
+/// time. Tiles of an algorithm that splats are as large as the picture and overlap: they add up (record/sums.h); until
+/// the last one is there, splats of walks not yet made are missing. Those of other algorithms are apart. Gives back
+/// whether it was not stopped. Errors: as render().
 bool render_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks,
                   const std::function<void(record::Tile)>& take);
+
+/// Which techniques find the paths of each word, and how much each brings: the same walks as render()'s. Errors: as
+/// render().
+record::TechniqueTable measure_techniques(const Scene& scene, const RenderSettings& settings,
+                                          const RenderHooks& hooks = {});
 
 /// The same walk with nothing recorded but the picture: what recording costs is measured against this.
 record::Image render_picture_only(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks = {});

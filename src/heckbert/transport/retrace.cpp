@@ -1,6 +1,7 @@
 #include <heckbert/transport/retrace.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include <heckbert/record/record.h>
@@ -22,6 +23,9 @@ class SpellingSink final : public record::PathSink {
 }  // namespace
 
 std::vector<RetracedPath> retrace(const Scene& scene, const RenderSettings& settings, int x, int y) {
+  if (facts(settings.algorithm).splats)
+    throw std::invalid_argument(
+        "walks from the light bring paths to a pixel from every sample of the picture: they are not traced again");
   const Stage stage(scene, settings);
   const World& world = stage.world();
   SpellingSink sink;

@@ -69,6 +69,15 @@ class Sampler {
     state_ = mix(mix(plan.seed + kWeyl) + static_cast<std::uint64_t>(batch)) ^ (place >> 32);
   }
 
+  /// Another stream of the same sample, as well spread as this one: for a second walk, so that neither has to know how
+  /// many numbers the other takes.
+  Sampler split() const {
+    Sampler other = *this;
+    other.state_ = mix(state_ ^ kOther);
+    other.left_ = 0;
+    return other;
+  }
+
   /// The next dimension, uniform in [0, 1).
   float next() {
     if (kind_ == SamplerKind::Random) return static_cast<float>(step() >> 40) * 0x1p-24f;
@@ -87,6 +96,8 @@ class Sampler {
   }
 
  private:
+  static constexpr std::uint64_t kOther = 0x5851f42d4c957f2du;  ///< any number
+
   std::uint64_t step() { return mix(state_ += kWeyl); }
   static float to_float(std::uint32_t fraction) { return static_cast<float>(fraction >> 8) * 0x1p-24f; }
   std::uint32_t next_of_set() {

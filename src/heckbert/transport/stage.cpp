@@ -1,5 +1,7 @@
 #include <heckbert/transport/stage.h>
 
+#include <heckbert/transport/bidirectional.h>
+#include <heckbert/transport/light_tracer.h>
 #include <heckbert/transport/path_tracer.h>
 #include <heckbert/transport/recursive_tracer.h>
 #include <heckbert/transport/travel.h>
@@ -10,6 +12,7 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
     : tracer_(scene),
       lights_(scene, tracer_),
       eye_(scene.camera, settings.width, settings.height, settings.filter),
+      emission_(scene, tracer_, lights_, scene.camera.position, scene.camera.lens_radius),
       labels_(scene, tracer_, settings.labels),
       world_{scene,
              tracer_,
@@ -18,7 +21,10 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
              labels_,
              settings.max_depth,
              has_bodies(scene),
-             has_bodies(scene) ? bodies_at(scene, tracer_, scene.camera.position) : Bodies{}} {}
+             has_bodies(scene) ? bodies_at(scene, tracer_, scene.camera.position) : Bodies{},
+             emission_,
+             picture_window(settings),
+             1.0f / static_cast<float>(picture_window(settings).pixel_count())} {}
 
 void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
   switch (algorithm) {
@@ -28,6 +34,10 @@ void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm
       return trace_path(world, walk, ray, {.next_event = false});
     case AlgorithmId::PathNextEvent:
       return trace_path(world, walk, ray, {.hits = false});
+    case AlgorithmId::Light:
+      return trace_from_light(world, walk);
+    case AlgorithmId::Bidirectional:
+      return trace_bidirectionally(world, walk, ray);
     case AlgorithmId::Whitted:
       return trace_recursively(world, walk, ray, {.glossy_highlights = true, .mirror_at_diffuse = false});
     case AlgorithmId::Lecture:

@@ -1,6 +1,7 @@
 #pragma once
 // A scene with everything that walking through it takes, made once per render.
 
+#include <heckbert/transport/emission.h>
 #include <heckbert/transport/render.h>
 #include <heckbert/transport/vertex.h>
 
@@ -19,6 +20,7 @@ class Stage {
   Tracer tracer_;
   Lights lights_;
   Eye eye_;
+  Emission emission_;
   Labels labels_;
   World world_;
 };

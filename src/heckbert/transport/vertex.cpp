@@ -11,24 +11,6 @@ namespace heckbert::transport {
 
 namespace {
 
-/// The light sample's radiance as it arrives at the vertex; black when something is in between.
-Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
-                   const LightSample& light) {
-  if (world.has_bodies) {
-    Bodies bodies = walk.bodies;
-    if (transmitted) bodies.cross(world.scene, vertex.hit.material, vertex.hit.front);
-    return arriving(world, walk, bodies, origin, light);
-  }
-  ++walk.rays;
-  const Ray ray{origin, light.direction};
-  if (light.to_be_met != kNoEmitter) {
-    const std::optional<Hit> met = world.tracer.intersect(ray);
-    return met && met->emitter == light.to_be_met ? world.lights.emitted(*met) : Rgb{};
-  }
-  const bool occluded = light.infinite ? world.tracer.is_occluded(ray) : world.tracer.is_occluded(origin, light.target);
-  return occluded ? Rgb{} : light.radiance;
-}
-
 /// Next-event estimation without words: calls per_lobe(event, light, value) for each lobe that sends light back.
 template <class PerLobe>
 void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule,
@@ -56,6 +38,23 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
 }
 
 }  // namespace
+
+Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
+                   const LightSample& light) {
+  if (world.has_bodies) {
+    Bodies bodies = walk.bodies;
+    if (transmitted) bodies.cross(world.scene, vertex.hit.material, vertex.hit.front);
+    return arriving(world, walk, bodies, origin, light);
+  }
+  ++walk.rays;
+  const Ray ray{origin, light.direction};
+  if (light.to_be_met != kNoEmitter) {
+    const std::optional<Hit> met = world.tracer.intersect(ray);
+    return met && met->emitter == light.to_be_met ? world.lights.emitted(*met) : Rgb{};
+  }
+  const bool occluded = light.infinite ? world.tracer.is_occluded(ray) : world.tracer.is_occluded(origin, light.target);
+  return occluded ? Rgb{} : light.radiance;
+}
 
 Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front)
     : hit(found), material(&scene.materials[found.material]) {

@@ -21,6 +21,8 @@
 
 namespace heckbert::transport {
 
+class Emission;
+
 /// A scene ready to be traced.
 struct World {
   const Scene& scene;
@@ -31,6 +33,9 @@ struct World {
   int max_depth;
   bool has_bodies = false;  ///< some space is filled: with a medium, or with what a surface encloses
   Bodies bodies_at_eye{};
+  const Emission& emission;
+  record::Window window{};  ///< the part of the picture that is traced
+  float pixel_share = 1;    ///< one over the number of its pixels
 };
 
 /// What one camera sample carries along.
@@ -124,6 +129,11 @@ inline Vertex vertex_at(const World& world, const Walk& walk, const Hit& hit, gl
   return {world.scene, hit, ray_direction,
           world.has_bodies ? walk.bodies.index_in_front(world.scene, hit.material) : 1.0f};
 }
+
+/// The light sample's radiance as it arrives at the vertex; black when something is in between. `origin` is where the
+/// shadow ray leaves the surface, on its far side when `transmitted`.
+Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
+                   const LightSample& light);
 
 /// How direct light is gathered at a vertex.
 struct DirectLight {

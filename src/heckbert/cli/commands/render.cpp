@@ -66,8 +66,10 @@ void declare(CLI::App& command, RenderOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--cryptomatte", options.cryptomatte,
                    "Cryptomatte of the --lpe classes, else of all words, in the -o file");
-  command.add_option("--algorithm", options.algorithm, "how to trace (default: path)")
-      ->type_name(alternatives(transport::kAlgorithms));
+  command
+      .add_option("--algorithm", options.algorithm,
+                  fmt::format("how to trace (default: path): {}", fmt::join(names_of(transport::kAlgorithms), ", ")))
+      ->type_name("NAME");
   command.add_flag("--json", options.json, "print what was done as JSON");
   add_settings(command, options.flags, {Scope::Tracing, Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
@@ -304,9 +306,10 @@ ExitCode run(const RenderOptions& options) {
   std::optional<record::Sums> sums;
   std::optional<Streamed> streamed;
   bool is_done = false;
-  // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks; all else is let go tile by
-  // tile.
-  if (options.exact || options.cryptomatte || job.checkpoint || !job.resume.empty() || render.part.of > 1) {
+  // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks and what walks from the
+  // light splat; all else is let go tile by tile.
+  if (transport::facts(render.algorithm).splats || options.exact || options.cryptomatte || job.checkpoint ||
+      !job.resume.empty() || render.part.of > 1) {
     sums = trace(imported.scene, job, console, interrupt.stop(), work);
     if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
     if (!sums) {

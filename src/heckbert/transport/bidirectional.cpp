@@ -1,0 +1,235 @@
+#include <heckbert/transport/bidirectional.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <heckbert/transport/continuation.h>
+#include <heckbert/transport/light_to_eye.h>
+#include <heckbert/transport/light_walk.h>
+
+namespace heckbert::transport {
+
+using record::PathEnd;
+using record::Technique;
+using taxonomy::Symbol;
+using taxonomy::WordTrie;
+
+namespace {
+
+/// A surface that the walk from the eye came to.
+struct EyeVertex {
+  const Vertex& vertex;
+  glm::vec3 to_eye;  ///< unit, towards the vertex before
+  Rgb throughput;
+  Rivals rivals;
+  WordTrie::Node node = 0;  ///< the word so far, without what happens here
+  int scatterings = 0;      ///< before this one
+};
+
+double weight_against(double rivals) {
+  return 1 / (1 + rivals);
+}
+
+float cosine(const Hit& hit, glm::vec3 direction) {
+  return std::abs(glm::dot(hit.normal_geometric, direction));
+}
+
+class EyeWalk {
+ public:
+  EyeWalk(const World& world, Walk& walk, const LightWalk& light) : world_(world), walk_(walk), light_(light) {}
+
+  void trace(Ray ray) {
+    WordTrie::Node node = walk_.sink.words().eye(world_.eye.kind());
+    Rgb throughput(1.0f);
+    Rivals rivals;
+    Step step;
+    float radiance_scale = 1;
+    for (int depth = 0;; ++depth) {
+      ++walk_.rays;
+      const std::optional<Hit> hit = world_.tracer.intersect(ray);
+      if (!hit) {
+        rivals = depth == 0 ? first_rivals(ray, 1, 1, true) : rivals_after(rivals, step);
+        add_sky(ray, node, throughput, rivals, depth);
+        return walk_.sink.end_path(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
+      }
+      step.cos_to = static_cast<double>(cosine(*hit, ray.direction));
+      const glm::vec3 d = hit->position - ray.origin;
+      step.squared_distance = static_cast<double>(glm::dot(d, d));
+      if (!(step.cos_to > 0)) return walk_.sink.end_path(PathEnd::Absorbed);
+      rivals = depth == 0 ? first_rivals(ray, step.cos_to, step.squared_distance, false) : rivals_after(rivals, step);
+      add_emitted(*hit, ray, node, throughput, rivals, depth);
+      if (depth == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
+
+      const Vertex vertex(world_.scene, *hit, ray.direction);
+      const EyeVertex at{vertex, -ray.direction, throughput, rivals, node, depth};
+      if (vertex.has_non_delta) {
+        join_light(at);
+        for (std::size_t i = 0; i < light_.vertices.size() && depth + static_cast<int>(i) + 2 <= world_.max_depth; ++i)
+          join(at, i);
+      }
+      const Continuation next = follow(vertex, walk_.sampler);
+      throughput *= next.factor;
+      radiance_scale *= next.radiance_scale;
+      if (is_black(throughput)) return walk_.sink.end_path(PathEnd::Absorbed);
+      if (depth + 1 >= kRouletteStart) {
+        const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
+        if (walk_.sampler.next() >= survival) return walk_.sink.end_path(PathEnd::Roulette);
+        throughput *= 1.0f / survival;
+      }
+      node = walk_.step(node, next.event, world_.labels.surface(*hit));
+      const glm::vec3 onward = next.ray.direction;
+      const bool is_delta = next.pdf_solid_angle == 0;
+      step = {.is_delta = is_delta,
+              .pdf_solid_angle = static_cast<double>(next.pdf_solid_angle),
+              .pdf_reverse = is_delta ? (is_shaded_alike(world_.scene, vertex, onward) ? 1.0 : 0.0)
+                                      : static_cast<double>(pdf_from_light(world_.scene, *hit, onward, at.to_eye)),
+              .cos_from = static_cast<double>(cosine(*hit, onward))};
+      ray = next.ray;
+    }
+  }
+
+ private:
+  /// Where the first edge from the eye ends: joining to the eye, and meeting the lens by chance.
+  Rivals first_rivals(const Ray& ray, double cos_to, double squared_distance, bool infinite) const {
+    const Eye& eye = world_.eye;
+    // A parallel eye sees what is infinitely far away in one direction, which nothing else could choose.
+    if (infinite && eye.is_parallel()) return {};
+    const double area = infinite || eye.is_parallel() ? 1.0 : squared_distance;
+    const double reached = static_cast<double>(eye.pixels_along(ray.direction) * world_.pixel_share) * cos_to / area;
+    Rivals rivals{.near = squared(1 / reached)};
+    if (eye.has_lens())
+      rivals.far = squared(static_cast<double>(eye.cosine(ray.direction) * eye.lens_area()) / area / reached);
+    return rivals;
+  }
+
+  /// s = 0, infinitely far away.
+  void add_sky(const Ray& ray, WordTrie::Node node, Rgb throughput, const Rivals& rivals, int depth) {
+    const Rgb sky = world_.lights.environment(ray.direction);
+    if (is_black(sky)) return;
+    const Departure d = world_.emission.departure_from_sky(-ray.direction);
+    const float place = depth == 0 ? d.pdf_place : world_.lights.pdf_environment(ray.direction);
+    add_hit(node, Symbol::Le, {LightSource::Type::Environment, 0}, throughput * sky, rivals, d, place);
+  }
+
+  /// s = 0.
+  void add_emitted(const Hit& hit, const Ray& ray, WordTrie::Node node, Rgb throughput, const Rivals& rivals,
+                   int depth) {
+    const Rgb emitted = world_.lights.emitted(hit);
+    if (is_black(emitted)) return;
+    const Departure d = world_.emission.departure(hit, -ray.direction);
+    float place = d.pdf_place;
+    if (depth > 0) {
+      const glm::vec3 edge = hit.position - ray.origin;
+      place = world_.lights.pdf_solid_angle(hit, ray.origin) * d.cosine / glm::dot(edge, edge);
+    }
+    add_hit(node, Symbol::La, {LightSource::Type::Emitter, hit.emitter}, throughput * emitted, rivals, d, place);
+  }
+
+  void add_hit(WordTrie::Node node, Symbol kind, LightSource source, Rgb value, const Rivals& rivals,
+               const Departure& departure, float pdf_place) {
+    const double others = squared(static_cast<double>(pdf_place)) * rivals.near +
+                          squared(static_cast<double>(departure.pdf)) * rivals.far;
+    walk_.find({walk_.step(node, kind, world_.labels.light(source)), value * static_cast<float>(weight_against(others)),
+                Technique::Hit});
+  }
+
+  /// s = 1.
+  void join_light(const EyeVertex& at) {
+    const Vertex& vertex = at.vertex;
+    const Hit& hit = vertex.hit;
+    const LightSample light = world_.lights.sample(hit.position, walk_.sampler);
+    if (!(light.pdf_solid_angle > 0)) return;
+    const glm::vec3 wi = vertex.local(light.direction);
+    if (wi.z == 0 || (wi.z < 0 && !vertex.transmits)) return;
+    const bool transmitted = wi.z < 0;
+    const Vertex::Values values = vertex.values(wi);
+    const std::span<const Lobe> lobes = vertex.lobes();
+    if (std::ranges::all_of(std::span(values.f).first(lobes.size()), [](Rgb f) { return is_black(f); })) return;
+    const Rgb arriving =
+        arriving_light(world_, walk_, vertex, transmitted, leave(hit, hit.front != transmitted), light);
+    if (is_black(arriving)) return;
+
+    const auto pdf_light = static_cast<double>(light.pdf_solid_angle);
+    const Departure departure = world_.emission.departure(light);
+    const glm::vec3 edge = light.target - hit.position;
+    const double measure = light.infinite   ? 1.0
+                           : light.is_delta ? static_cast<double>(glm::dot(edge, edge))
+                                            : static_cast<double>(departure.cosine);
+    const double reached = static_cast<double>(departure.pdf * cosine(hit, light.direction)) / (pdf_light * measure);
+    double others = at.rivals.sum(reached, reverse_pdf(at, light.direction));
+    if (!light.is_delta) others += squared(static_cast<double>(values.pdf_solid_angle) / pdf_light);
+
+    const Rgb incident = at.throughput * arriving *
+                         (std::abs(wi.z) / light.pdf_solid_angle * static_cast<float>(weight_against(others)));
+    for (std::size_t i = 0; i < lobes.size(); ++i) {
+      if (is_black(values.f[i])) continue;
+      const WordTrie::Node node = walk_.step(at.node, letter(lobes[i], transmitted), world_.labels.surface(hit));
+      walk_.find({walk_.step(node, light.kind, world_.labels.light(light.source)), incident * values.f[i],
+                  Technique::NextEvent});
+    }
+  }
+
+  /// s > 1, with the vertex of this number on the walk from the light.
+  void join(const EyeVertex& at, std::size_t number) {
+    const LightVertex& other = light_.vertices[number];
+    if (!other.vertex.has_non_delta) return;
+    const Hit &here = at.vertex.hit, &there = other.hit;
+    const glm::vec3 edge = there.position - here.position;
+    const float squared_distance = glm::dot(edge, edge);
+    if (!(squared_distance > 0)) return;
+    const glm::vec3 direction = edge / std::sqrt(squared_distance);
+    const glm::vec3 wi = at.vertex.local(direction);
+    if (wi.z == 0 || (wi.z < 0 && !at.vertex.transmits)) return;
+    const Vertex::Values values = at.vertex.values(wi);
+    if (!(values.pdf_solid_angle > 0)) return;
+    const Scattering scattering = scatter(world_.scene, other, -direction);
+    if (!(scattering.pdf_to_light > 0)) return;
+
+    const float cos_here = cosine(here, direction), cos_there = cosine(there, direction);
+    const auto pdf_there = static_cast<double>(values.pdf_solid_angle * cos_there / squared_distance);
+    const auto pdf_here = static_cast<double>(scattering.pdf_to_eye * cos_here / squared_distance);
+    const double others = other.rivals.sum(pdf_there, static_cast<double>(scattering.pdf_to_light)) +
+                          at.rivals.sum(pdf_here, reverse_pdf(at, direction));
+    const Rgb carried = at.throughput * other.throughput *
+                        (std::abs(wi.z) * cos_there / squared_distance * static_cast<float>(weight_against(others)));
+    if (is_black(carried)) return;
+    ++walk_.rays;
+    const bool to_front = glm::dot(direction, here.normal_geometric) > 0;
+    const bool from_front = glm::dot(direction, there.normal_geometric) < 0;
+    if (world_.tracer.is_occluded(leave(here, to_front), leave(there, from_front))) return;
+
+    const std::span<const Lobe> lobes = at.vertex.lobes();
+    const Technique technique{static_cast<std::uint16_t>(number + 2)};
+    for (std::size_t i = 0; i < lobes.size(); ++i) {
+      if (is_black(values.f[i])) continue;
+      const WordTrie::Node node = walk_.step(at.node, letter(lobes[i], wi.z < 0), world_.labels.surface(here));
+      for (std::size_t j = 0; j < scattering.lobes; ++j) {
+        if (is_black(scattering.f[j])) continue;
+        const WordTrie::Node joined = walk_.step(node, scattering.letters[j], world_.labels.surface(there));
+        walk_.find({spell(world_, walk_, joined, light_, number), carried * values.f[i] * scattering.f[j], technique});
+      }
+    }
+  }
+
+  /// With which a walk that comes from `to_light` would leave this vertex for the one before.
+  double reverse_pdf(const EyeVertex& at, glm::vec3 to_light) const {
+    return static_cast<double>(pdf_from_light(world_.scene, at.vertex.hit, to_light, at.to_eye));
+  }
+
+  const World& world_;
+  Walk& walk_;
+  const LightWalk& light_;
+};
+
+}  // namespace
+
+void trace_bidirectionally(const World& world, Walk& walk, Ray ray) {
+  Sampler sampler = walk.sampler.split();
+  const LightWalk light = walk_from_light(world, walk, sampler);
+  splat(world, walk, light, sampler, Rivalry::All);
+  EyeWalk(world, walk, light).trace(ray);
+}
+
+}  // namespace heckbert::transport

@@ -1,0 +1,175 @@
+#include <heckbert/transport/light_to_eye.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace heckbert::transport {
+
+using record::Technique;
+using taxonomy::WordTrie;
+
+namespace {
+
+constexpr double weight_against(double rivals) {
+  return 1 / (1 + rivals);
+}
+
+/// A point as the eye sees it.
+struct Seen {
+  Sight sight;
+  PixelShare pixel;
+  float per_area = 0;          ///< pixels per area at the point that faces the eye
+  float squared_distance = 1;  ///< from the lens
+};
+
+class Splatting {
+ public:
+  Splatting(const World& world, Walk& walk, const LightWalk& light, Sampler& sampler, Rivalry rivalry)
+      : world_(world), walk_(walk), light_(light), sampler_(sampler), rivalry_(rivalry) {}
+
+  /// s = 1, t = 1.
+  void light_itself() {
+    const Emitted& start = *light_.start;
+    if (!world_.eye.has_lens() && (rivalry_ == Rivalry::LightOnly || start.is_delta)) return;
+    if (start.infinite) return sky();
+    const std::optional<Seen> seen = see(start.ray.origin);
+    if (!seen) return;
+    const glm::vec3 to_eye = -seen->sight.direction;
+    const Rgb sent = world_.emission.towards(start, to_eye);
+    if (is_black(sent)) return;
+    const bool on_surface = start.source.type == LightSource::Type::Emitter;
+    const glm::vec3 from = on_surface && glm::dot(to_eye, start.normal) < 0
+                               ? start.ray.origin - 2.0f * start.error * start.normal
+                               : start.ray.origin;
+    if (is_hidden(from, seen->sight)) return;
+    const float cosine = on_surface ? std::abs(glm::dot(start.normal, to_eye)) : 1.0f;
+    const Departure& d = start.departure;
+    double rivals = 0;
+    if (rivalry_ == Rivalry::All && !start.is_delta)
+      rivals += squared(static_cast<double>(seen->per_area * cosine * world_.pixel_share / d.pdf_place));
+    rivals += lens_rival(pdf_departure(start, to_eye), *seen);
+    add(*seen, walk_.sink.words().eye(world_.eye.kind()), 0, sent * (seen->per_area / d.pdf_place), rivals, 1);
+  }
+
+  /// t = 1, from the vertex with this number.
+  void vertex(std::size_t number) {
+    const LightVertex& at = light_.vertices[number];
+    if (!at.vertex.has_non_delta) return;
+    const std::optional<Seen> seen = see(at.hit.position);
+    if (!seen) return;
+    const glm::vec3 to_eye = -seen->sight.direction;
+    const Scattering scattering = scatter(world_.scene, at, to_eye);
+    const bool is_lit = std::ranges::any_of(scattering.f, [](Rgb f) { return !is_black(f); });
+    if (!is_lit) return;
+    const bool to_front = glm::dot(to_eye, at.hit.normal_geometric) > 0;
+    if (is_hidden(leave(at.hit, to_front), seen->sight)) return;
+    const float cosine = std::abs(glm::dot(at.hit.normal_geometric, to_eye));
+    double rivals = lens_rival(scattering.pdf_to_eye, *seen);
+    if (rivalry_ == Rivalry::All)
+      rivals += at.rivals.sum(static_cast<double>(seen->per_area * cosine * world_.pixel_share),
+                              static_cast<double>(scattering.pdf_to_light));
+    const Labels::Id label = world_.labels.surface(at.hit);
+    const WordTrie::Node eye = walk_.sink.words().eye(world_.eye.kind());
+    for (std::size_t i = 0; i < scattering.lobes; ++i) {
+      if (is_black(scattering.f[i])) continue;
+      const WordTrie::Node node = walk_.step(eye, scattering.letters[i], label);
+      add(*seen, node, number, at.throughput * scattering.f[i] * (cosine * seen->per_area), rivals, number + 2);
+    }
+  }
+
+  /// t = 0.
+  void through_lens(const LensVertex& at) {
+    const std::optional<PixelShare> pixel = pixel_at(at.sight);
+    if (!pixel) return;
+    const float cosine = world_.eye.cosine(at.sight.direction);
+    const double area = static_cast<double>(world_.eye.lens_area());
+    Rivals others = at.rivals;
+    if (rivalry_ == Rivalry::LightOnly) others.far = 0;
+    const double rivals = others.sum(1 / area, static_cast<double>(at.sight.pixels * world_.pixel_share));
+    const Seen seen{.sight = at.sight, .pixel = *pixel};
+    add(seen, walk_.sink.words().eye(world_.eye.kind()), at.vertices,
+        at.throughput * static_cast<float>(static_cast<double>(at.sight.pixels) / (area * static_cast<double>(cosine))),
+        rivals, at.vertices + 2);
+  }
+
+ private:
+  std::optional<PixelShare> pixel_at(const Sight& sight) {
+    const std::optional<PixelShare> pixel = world_.eye.pixel_at(sight.place, sampler_.next2());
+    const record::Window& w = world_.window;
+    if (!pixel || pixel->x < w.x0 || pixel->x >= w.x1 || pixel->y < w.y0 || pixel->y >= w.y1) return std::nullopt;
+    return pixel;
+  }
+
+  std::optional<Seen> see(glm::vec3 point) {
+    const std::optional<Sight> sight = world_.eye.sight_of(point, sampler_.next2());
+    if (!sight) return std::nullopt;
+    const std::optional<PixelShare> pixel = pixel_at(*sight);
+    if (!pixel) return std::nullopt;
+    const glm::vec3 d = point - sight->from;
+    const float squared_distance = world_.eye.is_parallel() ? 1.0f : glm::dot(d, d);
+    return Seen{*sight, *pixel, sight->pixels / squared_distance, squared_distance};
+  }
+
+  bool is_hidden(glm::vec3 from, const Sight& sight) {
+    ++walk_.rays;
+    return world_.tracer.is_occluded(from, sight.from);
+  }
+
+  /// Light from infinitely far away, seen directly.
+  void sky() {
+    const Emitted& start = *light_.start;
+    const std::optional<Sight> sight = world_.eye.sight_along(-start.ray.direction, sampler_.next2());
+    if (!sight) return;
+    const std::optional<PixelShare> pixel = pixel_at(*sight);
+    if (!pixel) return;
+    ++walk_.rays;
+    if (world_.tracer.is_occluded(Ray{sight->from, sight->direction})) return;
+    const Seen seen{.sight = *sight, .pixel = *pixel, .per_area = sight->pixels};
+    const Departure& d = start.departure;
+    double rivals = lens_rival(d.pdf / d.pdf_place, seen);
+    if (rivalry_ == Rivalry::All && !start.is_delta)
+      rivals += squared(static_cast<double>(sight->pixels * world_.pixel_share / d.pdf_place));
+    add(seen, walk_.sink.words().eye(world_.eye.kind()), 0, start.radiance * (sight->pixels / d.pdf_place), rivals, 1);
+  }
+
+  /// Per steradian, of the direction alone.
+  float pdf_departure(const Emitted& start, glm::vec3 direction) const {
+    const Departure& d = start.departure;
+    if (start.source.type != LightSource::Type::Emitter) return d.pdf / d.pdf_place;
+    return d.pdf / d.pdf_place * std::abs(glm::dot(start.normal, direction)) / d.cosine;
+  }
+
+  /// The squared ratio of meeting the lens by chance to choosing this point of it.
+  double lens_rival(float pdf_to_eye, const Seen& seen) const {
+    if (!world_.eye.has_lens()) return 0;
+    return squared(static_cast<double>(pdf_to_eye * world_.eye.cosine(seen.sight.direction) / seen.squared_distance *
+                                       world_.eye.lens_area()));
+  }
+
+  void add(const Seen& seen, WordTrie::Node node, std::size_t events, Rgb value, double rivals, std::size_t vertices) {
+    const auto weight = static_cast<float>(weight_against(rivals)) * world_.pixel_share * seen.pixel.weight;
+    walk_.sink.splat(
+        seen.pixel.x, seen.pixel.y,
+        {spell(world_, walk_, node, light_, events), value * weight, Technique{static_cast<std::uint16_t>(vertices)}});
+  }
+
+  const World& world_;
+  Walk& walk_;
+  const LightWalk& light_;
+  Sampler& sampler_;
+  Rivalry rivalry_;
+};
+
+}  // namespace
+
+void splat(const World& world, Walk& walk, const LightWalk& light, Sampler& sampler, Rivalry rivalry) {
+  if (!light.start) return;
+  Splatting splatting(world, walk, light, sampler, rivalry);
+  splatting.light_itself();
+  for (std::size_t i = 0; i < light.vertices.size(); ++i) splatting.vertex(i);
+  for (const LensVertex& at : light.through_lens) splatting.through_lens(at);
+}
+
+}  // namespace heckbert::transport

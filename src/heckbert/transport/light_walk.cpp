@@ -1,0 +1,200 @@
+#include <heckbert/transport/light_walk.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <heckbert/transport/continuation.h>
+
+namespace heckbert::transport {
+
+namespace {
+
+/// The hit as a ray from the side that `direction` points to would have found it.
+Hit seen_from(const Hit& hit, glm::vec3 direction) {
+  Hit seen = hit;
+  seen.front = glm::dot(direction, hit.normal_geometric) > 0;
+  return seen;
+}
+
+float cosine(const Hit& hit, glm::vec3 direction) {
+  return std::abs(glm::dot(hit.normal_geometric, direction));
+}
+
+/// How a walk from the light goes on.
+struct Onward {
+  Ray ray{};
+  Event event{};
+  Rgb factor;  ///< black: it does not
+  Step step{};
+};
+
+Onward follow_light(const World& world, const LightVertex& at, Sampler& sampler) {
+  const Vertex& vertex = at.vertex;
+  if (!(vertex.total_weight > 0)) return {};
+  const float u_choice = vertex.has_choice ? sampler.next() : 0.0f;
+  const Drawn drawn = draw(vertex.selection, vertex.lobes().size(), 1.0f, u_choice);
+  const Labels::Id label = world.labels.surface(at.hit);
+  const float cos_light = cosine(at.hit, at.to_light);
+  if (!(cos_light > 0)) return {};
+
+  if (is_delta(vertex.lobes()[drawn.index])) {
+    const Continuation next = follow_delta(vertex, drawn);
+    if (is_black(next.factor)) return {};
+    const glm::vec3 to_eye = next.ray.direction;
+    if (!is_shaded_alike(world.scene, vertex, to_eye)) return {};
+    const float cos_eye = cosine(at.hit, to_eye);
+    const float cos_eye_shading = std::abs(vertex.frame.to_local(to_eye).z);
+    if (!(cos_eye_shading > 0)) return {};
+    const float correction = vertex.wo.z * cos_eye / (cos_light * cos_eye_shading);
+    return {.ray = next.ray,
+            .event = {next.event, label},
+            .factor = next.factor * (correction / next.radiance_scale),
+            .step = {.is_delta = true, .pdf_reverse = 1, .cos_from = cos_eye}};
+  }
+
+  const glm::vec3 out = draw_direction(vertex, drawn, sampler);
+  if (out.z == 0) return {};
+  const float pdf = vertex.values(out).pdf_solid_angle;
+  if (!(pdf > 0)) return {};
+  const Ray ray = vertex.leave(out, out.z < 0);
+  const Scattering scattering = scatter(world.scene, at, ray.direction);
+  const ChosenLobe lobe = choose_lobe(std::span(scattering.f).first(scattering.lobes), sampler);
+  if (!(lobe.share > 0)) return {};
+  const float cos_eye = cosine(at.hit, ray.direction);
+  return {.ray = ray,
+          .event = {scattering.letters[lobe.index], label},
+          .factor = scattering.f[lobe.index] * (cos_eye / (pdf * lobe.share)),
+          .step = {.pdf_solid_angle = pdf, .pdf_reverse = scattering.pdf_to_light, .cos_from = cos_eye}};
+}
+
+/// The rivals where the first edge ends: hitting the light, and asking for it with `pdf_next_event` there. Per area,
+/// direction or light, as Departure::pdf_place is.
+Rivals first_rivals(const Emitted& start, double pdf_next_event, double cos_to, double squared_distance) {
+  const Departure& d = start.departure;
+  const double area = start.infinite ? 1.0 : squared_distance;
+  const double reached = d.pdf * cos_to / area;
+  const double seen = start.infinite ? 1.0 : d.cosine / area;
+  return {squared(pdf_next_event / reached), start.is_delta ? 0 : squared(seen / reached)};
+}
+
+/// With which next-event estimation at `from` would have drawn the place where the walk began, as pdf_place is.
+double pdf_next_event(const World& world, const Emitted& start, glm::vec3 from) {
+  switch (start.source.type) {
+    case LightSource::Type::Emitter: {
+      Hit place{};
+      place.position = start.ray.origin;
+      place.normal_geometric = start.normal;
+      place.emitter = start.source.index;
+      const glm::vec3 d = start.ray.origin - from;
+      return static_cast<double>(world.lights.pdf_solid_angle(place, from) * start.departure.cosine / glm::dot(d, d));
+    }
+    case LightSource::Type::Environment:
+      return static_cast<double>(world.lights.pdf_environment(-start.ray.direction));
+    default:
+      return static_cast<double>(world.lights.probability(start.source, from));
+  }
+}
+
+}  // namespace
+
+Rivals rivals_after(const Rivals& before, const Step& step) {
+  if (step.is_delta) return {0, squared(step.pdf_reverse * step.cos_from / step.cos_to) * before.far};
+  const double reached = step.pdf_solid_angle * step.cos_to;
+  return {squared(step.squared_distance / reached),
+          squared(step.cos_from / reached) * (before.near + squared(step.pdf_reverse) * before.far)};
+}
+
+bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side) {
+  const Hit& hit = vertex.hit;
+  if (hit.normal_shading == hit.normal_geometric && !(hit.has_coordinates && vertex.material->normal_map)) return true;
+  const Hit seen = seen_from(hit, other_side);
+  const Vertex other(scene, seen, -other_side);
+  const glm::vec3 normal = seen.front == hit.front ? other.frame.n : -other.frame.n;
+  constexpr float kSame = 1e-4f;
+  return glm::distance(normal, vertex.frame.n) < kSame;
+}
+
+Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) {
+  Scattering result;
+  const glm::vec3 out = at.vertex.local(to_eye);
+  if (out.z == 0) return result;
+  const Hit seen = seen_from(at.hit, to_eye);
+  const Vertex from_eye(scene, seen, -to_eye);
+  const glm::vec3 wi = from_eye.local(at.to_light);
+  const float cos_light = cosine(at.hit, at.to_light);
+  if (wi.z == 0 || !(cos_light > 0)) return result;
+  const Vertex::Values values = from_eye.values(wi);
+  const std::span<const Lobe> lobes = from_eye.lobes();
+  result.lobes = lobes.size();
+  for (std::size_t i = 0; i < lobes.size(); ++i) {
+    result.f[i] = values.f[i] * (std::abs(wi.z) / cos_light);
+    result.letters[i] = letter(lobes[i], wi.z < 0);
+  }
+  result.pdf_to_light = values.pdf_solid_angle;
+  result.pdf_to_eye = at.vertex.values(out).pdf_solid_angle;
+  return result;
+}
+
+float pdf_from_light(const Scene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) {
+  const Hit seen = seen_from(hit, to_light);
+  const Vertex vertex(scene, seen, -to_light);
+  const glm::vec3 out = vertex.local(to_eye);
+  return out.z == 0 ? 0.0f : vertex.values(out).pdf_solid_angle;
+}
+
+LightWalk walk_from_light(const World& world, Walk& walk, Sampler& sampler) {
+  LightWalk light{.start = world.emission.sample(sampler)};
+  if (!light.start) return light;
+  const Emitted& start = *light.start;
+  Ray ray = start.ray;
+  Rgb throughput = start.throughput, reflected(1.0f);
+  Step step;
+  const auto arrive = [&](double cos_to, double squared_distance, double pdf_of_rival) {
+    if (light.vertices.empty()) return first_rivals(start, pdf_of_rival, cos_to, squared_distance);
+    step.cos_to = cos_to;
+    step.squared_distance = squared_distance;
+    return rivals_after(light.vertices.back().rivals, step);
+  };
+  for (;;) {
+    ++walk.rays;
+    const std::optional<Hit> hit = world.tracer.intersect(ray);
+    const float farthest = hit ? glm::distance(hit->position, ray.origin) : std::numeric_limits<float>::infinity();
+    if (const std::optional<Sight> sight = world.eye.sight_met_by(ray, farthest)) {
+      const glm::vec3 d = sight->from - ray.origin;
+      const Rivals rivals = arrive(static_cast<double>(world.eye.cosine(ray.direction)),
+                                   static_cast<double>(glm::dot(d, d)), static_cast<double>(start.departure.pdf_place));
+      light.through_lens.push_back({light.vertices.size(), *sight, throughput, rivals});
+    }
+    if (!hit || light.vertices.size() == static_cast<std::size_t>(world.max_depth)) return light;
+    const double cos_to = static_cast<double>(cosine(*hit, ray.direction));
+    if (!(cos_to > 0)) return light;
+    const Rivals rivals = arrive(cos_to, squared(static_cast<double>(farthest)),
+                                 light.vertices.empty() ? pdf_next_event(world, start, hit->position) : 0.0);
+    LightVertex& at = light.vertices.emplace_back(world.scene, *hit, ray.direction, throughput);
+    at.rivals = rivals;
+
+    const Onward onward = follow_light(world, at, sampler);
+    if (is_black(onward.factor)) return light;
+    throughput *= onward.factor;
+    reflected *= onward.factor;
+    if (static_cast<int>(light.vertices.size()) >= kRouletteStart) {
+      const float survival = std::min(kHighestSurvival, max_channel(reflected));
+      if (sampler.next() >= survival) return light;
+      throughput *= 1.0f / survival;
+      reflected *= 1.0f / survival;
+    }
+    light.events.push_back(onward.event);
+    step = onward.step;
+    ray = onward.ray;
+  }
+}
+
+taxonomy::WordTrie::Node spell(const World& world, Walk& walk, taxonomy::WordTrie::Node node, const LightWalk& light,
+                               std::size_t count) {
+  for (std::size_t i = count; i-- > 0;) node = walk.step(node, light.events[i].symbol, light.events[i].label);
+  return walk.step(node, light.start->kind, world.labels.light(light.start->source));
+}
+
+}  // namespace heckbert::transport

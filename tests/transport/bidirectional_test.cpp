@@ -1,0 +1,246 @@
+// Walks from the light against walks from the eye: every word that both can find has one value, whichever technique
+// found it, for every kind of light and eye; and the techniques that are used are those that the word allows.
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <heckbert/taxonomy/expression.h>
+#include <heckbert/taxonomy/strategies.h>
+
+#include "test_scenes.h"
+
+namespace heckbert::transport {
+namespace {
+
+struct LightKind {
+  const char* name;
+  void (*put)(Scene&);
+};
+
+Mesh lamp_quad() {
+  return make_quad({-0.6f, 1.95f, -0.6f}, {1.2f, 0, 0}, {0, 0, 1.2f});
+}
+
+/// All in one room, so that each scene has one kind of light and all kinds of surfaces.
+constexpr LightKind kLights[] = {
+    {"area", [](Scene& s) { add(s, lamp_quad(), emitter(5)); }},
+    {"ball",
+     [](Scene& s) {
+       add(s, Sphere{{-0.9f, 1.3f, 0.2f}, 0.25f}, emitter(12));
+     }},
+    {"sheet that shines on both sides",
+     [](Scene& s) {
+       add(s, Disk{{-0.8f, 1.0f, 0.3f}, {1, 0.5f, 0}, 0.4f}, emitter(8, Sides::Both));
+     }},
+    {"point",
+     [](Scene& s) {
+       s.point_lights.push_back({.position = {-0.5f, 1.5f, 0.3f}, .intensity = Rgb(4)});
+     }},
+    {"spot",
+     [](Scene& s) {
+       s.spot_lights.push_back({.position = {-0.5f, 1.8f, 0.3f},
+                                .direction = {0.4f, -1, -0.2f},
+                                .intensity = Rgb(9),
+                                .cutoff_degrees = 40,
+                                .falloff_degrees = 25});
+     }},
+    {"distant",
+     [](Scene& s) {
+       s.distant_lights.push_back({.direction = {0.3f, -1, -0.4f}, .irradiance = Rgb(3)});
+     }},
+    {"sky", [](Scene& s) { s.environment = Rgb(1.5f); }},
+};
+
+/// A corner open to the sky: a diffuse wall, a floor with two lobes, a metal wall, a glass ball, a mirror, paper that
+/// lets light through, and rough glass.
+Scene corner() {
+  Scene scene;
+  add(scene, make_quad({-2, -1, -2}, {4, 0, 0}, {0, 3, 0}), {.name = "wall", .lobes = {Lambert{{0.7f, 0.6f, 0.5f}}}});
+  add(scene, make_quad({-2, -1, 2}, {4, 0, 0}, {0, 0, -4}),
+      {.name = "floor", .lobes = {Lambert{Rgb(0.4f)}, ggx(Rgb(0.4f), 0.5f)}});
+  add(scene, make_quad({-2, -1, 2}, {0, 0, -4}, {0, 3, 0}),
+      {.name = "metal", .lobes = {Lambert{Rgb(0.2f)}, Mirror{Rgb(0.6f)}}});
+  add(scene, Sphere{{0.5f, -0.3f, -0.2f}, 0.6f}, {.name = "glass", .lobes = {Dielectric{}}});
+  add(scene, make_quad({0.9f, -1, -1.6f}, {0.8f, 0, 0.6f}, {0, 1.6f, 0}),
+      {.name = "paper", .lobes = {Lambert{Rgb(0.3f)}, DiffuseTransmission{Rgb(0.4f)}}});
+  add(scene, Sphere{{-0.8f, -0.6f, 0.4f}, 0.4f},
+      {.name = "rough glass", .lobes = {RoughDielectric{.ior = 1.5f, .facets = {.alpha_x = 0.4f, .alpha_y = 0.4f}}}});
+  scene.camera = {.position = {1.2f, 0.6f, 2.2f}, .look_at = {-0.2f, -0.3f, -0.4f}, .vertical_fov_degrees = 60};
+  return scene;
+}
+
+struct EyeKind {
+  const char* name;
+  void (*make)(Camera&);
+};
+constexpr EyeKind kEyes[] = {{"pinhole", [](Camera&) {}},
+                             {"lens",
+                              [](Camera& c) {
+                                c.lens_radius = 0.4f;
+                                c.focus_distance = 2;
+                              }},
+                             {"orthographic",
+                              [](Camera& c) {
+                                c.projection = Projection::Orthographic;
+                                c.height = 2.5f;
+                              }},
+                             {"panoramic", [](Camera& c) { c.projection = Projection::Panoramic; }}};
+
+/// Words of at most this many scatterings are compared.
+constexpr int kLongest = 3;
+
+/// Two-sample tests of every word's energy that either record has, at 1 % for all comparisons of this file after Sidak.
+/// A word that has less than this share of the picture's light, or too few paths for a spread, says nothing.
+constexpr std::uint64_t kEnough = 200;
+struct Comparison {
+  int words = 0;
+  double worst = 0;
+};
+Comparison compare(const record::Record& reference, const record::Record& other, const taxonomy::Language& both,
+                   const std::string& where) {
+  constexpr double kBound = 4.6;
+  Comparison comparison;
+  const auto often_found = [&](const record::Record& record) {
+    std::map<std::string, std::uint64_t> counts;
+    for (std::size_t w = 0; w < record.words.size(); ++w)
+      if (both.contains(record.words[w])) counts[taxonomy::plain(record.words[w])] += record.counts[w];
+    std::erase_if(counts, [](const auto& word) { return word.second < kEnough; });
+    return counts;
+  };
+  const auto found = often_found(reference), found_too = often_found(other);
+  for (const auto& [word, count] : found) {
+    if (!found_too.contains(word)) continue;
+    const record::Estimate a = energy_of(reference, word), b = energy_of(other, word);
+    const double error = std::hypot(a.standard_error, b.standard_error);
+    EXPECT_NEAR(a.mean, b.mean, kBound * error + 1e-5 * a.mean)
+        << where << ", " << word << ": " << (b.mean - a.mean) / error << " standard errors, relative "
+        << b.mean / a.mean - 1;
+    ++comparison.words;
+    if (error > 0) comparison.worst = std::max(comparison.worst, std::abs(b.mean - a.mean) / error);
+  }
+  return comparison;
+}
+
+/// The paths that both algorithms find.
+taxonomy::Language common(AlgorithmId a, AlgorithmId b) {
+  const auto& grammars = taxonomy::builtin_grammars();
+  return grammars.find(facts(a).grammar)->language & grammars.find(facts(b).grammar)->language;
+}
+
+TEST(WalksFromTheLight, AgreeWithWalksFromTheEyeWordByWord) {
+  int compared = 0;
+  double worst = 0;
+  for (const LightKind& light : kLights)
+    for (const EyeKind& eye : kEyes) {
+      Scene scene = corner();
+      light.put(scene);
+      eye.make(scene.camera);
+      RenderSettings settings{.width = 16, .height = 12, .samples_per_pixel = 256, .max_depth = kLongest, .seed = 3};
+      const record::Record reference = render(scene, settings);
+      for (const AlgorithmId algorithm : {AlgorithmId::Light, AlgorithmId::Bidirectional}) {
+        settings.algorithm = algorithm;
+        settings.seed = 4;
+        const auto result =
+            compare(reference, render(scene, settings), common(AlgorithmId::Path, algorithm),
+                    std::string(light.name) + ", " + eye.name + ", " + std::string(facts(algorithm).name));
+        compared += result.words;
+        worst = std::max(worst, result.worst);
+      }
+    }
+  std::printf("%d comparisons, worst %.2f standard errors\n", compared, worst);
+}
+
+// ---- which techniques -----------------------------------------------------------------------------------------------
+
+/// Five walls of two lobes, open at the top, so that all light gets in, and a ball, which sends even parallel rays
+/// everywhere, so that all words over D and S come about.
+Scene bin() {
+  Scene scene;
+  const Material wall{.name = "wall", .lobes = {Lambert{Rgb(0.5f)}, Mirror{Rgb(0.4f)}}};
+  add(scene, make_quad({-1, -1, 1}, {2, 0, 0}, {0, 0, -2}), wall);
+  add(scene, make_quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), wall);
+  add(scene, make_quad({1, -1, 1}, {-2, 0, 0}, {0, 2, 0}), wall);
+  add(scene, make_quad({-1, -1, 1}, {0, 0, -2}, {0, 2, 0}), wall);
+  add(scene, make_quad({1, -1, -1}, {0, 0, 2}, {0, 2, 0}), wall);
+  add(scene, Sphere{{0.3f, 0.3f, -0.2f}, 0.35f}, wall);
+  scene.camera = {.position = {0.1f, -0.6f, 0.3f}, .look_at = {-0.1f, 0.4f, 0.1f}, .vertical_fov_degrees = 100};
+  return scene;
+}
+
+constexpr LightKind kEnds[] = {
+    {"area",
+     [](Scene& s) {
+       add(s, make_quad({-0.9f, 0.95f, -0.9f}, {1.8f, 0, 0}, {0, 0, 1.4f}), emitter(1));
+     }},
+    {"point",
+     [](Scene& s) {
+       s.point_lights.push_back({.position = {-0.4f, 0.4f, 0.2f}});
+     }},
+    {"spot",
+     [](Scene& s) {
+       s.spot_lights.push_back({.position = {-0.3f, 0.9f, 0}, .direction = {0.1f, -1, 0}, .cutoff_degrees = 60});
+     }},
+    {"distant",
+     [](Scene& s) {
+       s.distant_lights.push_back({.direction = {0.2f, -1, -0.3f}});
+     }},
+    {"sky", [](Scene& s) { s.environment = Rgb(1); }}};
+
+using Techniques = std::map<std::string, std::set<std::size_t>>;  // light vertices, by fine word
+
+Techniques techniques_of(const Scene& scene, const RenderSettings& settings) {
+  Techniques found;
+  for (const record::TechniqueSum& sum : measure_techniques(scene, settings)) {
+    EXPECT_FALSE(sum.technique.merged);
+    found[taxonomy::fine(sum.word)].insert(sum.technique.light_vertices);
+  }
+  return found;
+}
+
+/// A light that is a point or a direction, seen by an eye that is one: the sum rule counts the one line between them,
+/// which no picture shows.
+bool is_degenerate(const taxonomy::Word& word) {
+  const auto is_delta = [](taxonomy::Symbol s) { return s == taxonomy::Symbol::Lp || s == taxonomy::Symbol::Ld; };
+  return word.events.empty() && is_delta(word.light) && word.eye == taxonomy::Symbol::Ep;
+}
+
+TEST(Bidirectional, UsesTheTechniquesThatTheWordAllowsAndNoOther) {
+  int words = 0;
+  for (const LightKind& light : kEnds)
+    for (const EyeKind& eye : kEyes) {
+      Scene scene = bin();
+      light.put(scene);
+      eye.make(scene.camera);
+      if (scene.camera.lens_radius > 0) scene.camera.lens_radius = 0.8f;  // to be met by chance often enough
+      const std::string where = std::string(light.name) + ", " + eye.name;
+      // Few walks from far away find a lens.
+      const bool is_rare = scene.camera.lens_radius > 0 && (scene.environment.r > 0 || !scene.distant_lights.empty());
+      const int samples = is_rare ? 4096 : 384;
+      const Techniques found = techniques_of(scene, {.algorithm = AlgorithmId::Bidirectional,
+                                                     .width = 16,
+                                                     .height = 12,
+                                                     .samples_per_pixel = samples,
+                                                     .max_depth = 5});
+      ASSERT_FALSE(found.empty());
+      const taxonomy::Word sample = taxonomy::parse_word(found.begin()->first);
+      for (std::string plain : words_over_ds(5)) {
+        taxonomy::Word word = taxonomy::parse_word(plain);
+        word.light = sample.light;
+        word.eye = sample.eye;
+        std::set<std::size_t> expected;
+        for (const taxonomy::Strategy& strategy : taxonomy::strategies(word)) expected.insert(strategy.light_vertices);
+        if (is_degenerate(word)) expected.clear();
+        // Parallel rays see one direction of the sky: joining a direction of the light's choice to it means nothing.
+        if (scene.camera.projection == Projection::Orthographic && plain == "LE" && word.light == taxonomy::Symbol::Le)
+          expected = {0};
+        const auto at = found.find(taxonomy::fine(word));
+        EXPECT_EQ(at == found.end() ? std::set<std::size_t>{} : at->second, expected) << where << ", " << plain;
+        ++words;
+      }
+    }
+  EXPECT_EQ(words, 5 * 4 * 63);
+}
+
+}  // namespace
+}  // namespace heckbert::transport
