@@ -48,6 +48,13 @@ struct RenderOptions {
   SettingFlags flags;
 };
 
+std::string algorithm_help() {
+  std::string help = fmt::format("how to trace (default: {}):", transport::kAlgorithms.front().name);
+  for (const transport::AlgorithmFacts& algorithm : transport::kAlgorithms)
+    help += fmt::format("\n{:<16} {}", algorithm.name, algorithm.title);
+  return help;
+}
+
 void declare(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scene, "built-in ('heckbert scene list'), .json, .obj, Mitsuba .xml, or '-'")
       ->required();
@@ -66,10 +73,7 @@ void declare(CLI::App& command, RenderOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--cryptomatte", options.cryptomatte,
                    "Cryptomatte of the --lpe classes, else of all words, in the -o file");
-  command
-      .add_option("--algorithm", options.algorithm,
-                  fmt::format("how to trace (default: path): {}", fmt::join(names_of(transport::kAlgorithms), ", ")))
-      ->type_name("NAME");
+  command.add_option("--algorithm", options.algorithm, algorithm_help())->type_name("NAME");
   command.add_flag("--json", options.json, "print what was done as JSON");
   add_settings(command, options.flags, {Scope::Tracing, Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
@@ -307,7 +311,7 @@ ExitCode run(const RenderOptions& options) {
   std::optional<Streamed> streamed;
   bool is_done = false;
   // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks and what walks from the
-  // light splat; all else is let go tile by tile.
+  // light find; all else is let go tile by tile.
   if (transport::facts(render.algorithm).splats || options.exact || options.cryptomatte || job.checkpoint ||
       !job.resume.empty() || render.part.of > 1) {
     sums = trace(imported.scene, job, console, interrupt.stop(), work);

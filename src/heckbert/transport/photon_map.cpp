@@ -1,0 +1,113 @@
+#include <heckbert/transport/photon_map.h>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <nanoflann.hpp>
+
+namespace heckbert::transport {
+
+struct PhotonMap::Tree {
+  // What nanoflann asks of a set of points.
+  const std::vector<Photon>& photons;
+  std::size_t kdtree_get_point_count() const { return photons.size(); }
+  float kdtree_get_pt(std::size_t index, std::size_t axis) const {
+    return photons[index].position[static_cast<glm::length_t>(axis)];
+  }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+
+  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Tree>, Tree, 3, std::uint32_t>;
+  Index index;
+
+  explicit Tree(const std::vector<Photon>& all) : photons(all), index(3, *this) {}
+};
+
+struct PhotonMap::Row {
+  std::vector<Photon> photons;
+  std::vector<Way> ways;
+  std::uint64_t rays = 0;
+
+  /// Leaves a photon wherever the walk came to a surface that is not all specular.
+  void add(const World& world, const LightWalk& light) {
+    if (!light.start || light.vertices.empty()) return;
+    auto way = static_cast<std::uint32_t>(ways.size());
+    ways.push_back({.event = {light.start->kind, world.labels.light(light.start->source)}});
+    for (std::size_t i = 0; i < light.vertices.size(); ++i) {
+      const LightVertex& at = light.vertices[i];
+      if (at.vertex.has_non_delta)
+        photons.push_back({at.hit.position, at.to_light, at.hit.normal_geometric, at.throughput, way,
+                           static_cast<std::uint16_t>(i + 1)});
+      if (i == light.events.size()) break;
+      ways.push_back({light.events[i], way});
+      way = static_cast<std::uint32_t>(ways.size() - 1);
+    }
+  }
+};
+
+namespace {
+
+/// What nanoflann fills with the points of a ball.
+class Near {
+ public:
+  using DistanceType = float;
+  Near(float squared_radius, const std::vector<Photon>& photons, std::vector<const Photon*>& found)
+      : squared_radius_(squared_radius), photons_(photons), found_(found) {}
+  bool addPoint(float squared_distance, std::uint32_t index) {
+    if (squared_distance < squared_radius_) found_.push_back(&photons_[index]);
+    return true;
+  }
+  float worstDist() const { return squared_radius_; }
+  bool full() const { return true; }
+  std::size_t size() const { return found_.size(); }
+
+ private:
+  float squared_radius_;
+  const std::vector<Photon>& photons_;
+  std::vector<const Photon*>& found_;
+};
+
+}  // namespace
+
+PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius) : radius_(radius) {
+  const record::Window& window = world.window;
+  std::vector<Row> rows(static_cast<std::size_t>(window.height()));
+  tbb::parallel_for(window.y0, window.y1, [&](int y) {
+    Row& row = rows[static_cast<std::size_t>(y - window.y0)];
+    for (int x = window.x0; x < window.x1; ++x) {
+      Sampler sampler = Sampler(plan, x, y, sample).split();
+      row.add(world, walk_from_light(world, row.rays, sampler));
+    }
+  });
+  for (Row& row : rows) {
+    const auto first = static_cast<std::uint32_t>(ways_.size());
+    for (Photon photon : row.photons) {
+      photon.way += first;
+      photons_.push_back(photon);
+    }
+    for (Way way : row.ways) {
+      if (way.before != kNone) way.before += first;
+      ways_.push_back(way);
+    }
+    rays_ += row.rays;
+    row = {};
+  }
+  tree_ = std::make_unique<Tree>(photons_);
+}
+
+PhotonMap::~PhotonMap() = default;
+
+void PhotonMap::find(glm::vec3 position, std::vector<const Photon*>& found) const {
+  found.clear();
+  if (photons_.empty()) return;
+  Near near(radius_ * radius_, photons_, found);
+  tree_->index.findNeighbors(near, &position.x, nanoflann::SearchParams());
+}
+
+taxonomy::WordTrie::Node PhotonMap::spell(Walk& walk, taxonomy::WordTrie::Node node, const Photon& photon) const {
+  for (std::uint32_t way = photon.way; way != kNone; way = ways_[way].before)
+    node = walk.step(node, ways_[way].event.symbol, ways_[way].event.label);
+  return node;
+}
+
+}  // namespace heckbert::transport

@@ -1,0 +1,59 @@
+#pragma once
+// Photons (Jensen 1996, "Global Illumination using Photon Maps"): where the light of many walks arrived at surfaces
+// that are not specular. Each photon keeps the way it came, so that light found through it has its word.
+//
+// A map belongs to one sample number: one walk from the light for every pixel of the picture, drawn from that pixel's
+// and sample's random numbers, so that the map is the same for any number of threads, and every sample number has a map
+// of its own (Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach").
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <heckbert/transport/light_walk.h>
+
+namespace heckbert::transport {
+
+struct Photon {
+  glm::vec3 position;
+  glm::vec3 to_light;          ///< unit, to where it came from
+  glm::vec3 normal;            ///< geometric, of the surface it lies on
+  Rgb power;                   ///< of all walks together; divide by their number
+  std::uint32_t way = 0;       ///< place in the map's ways
+  std::uint16_t vertices = 0;  ///< surfaces on its walk, this one too
+};
+
+class PhotonMap {
+ public:
+  /// Walks once per pixel of world.window; photons within `radius` of each other are near. Cost: n log n.
+  PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius);
+  ~PhotonMap();
+  PhotonMap(const PhotonMap&) = delete;
+  PhotonMap& operator=(const PhotonMap&) = delete;
+
+  float radius() const { return radius_; }
+  std::size_t size() const { return photons_.size(); }
+  std::uint64_t rays() const { return rays_; }
+  /// All photons near a place, in no certain order; replaces what `found` had.
+  void find(glm::vec3 position, std::vector<const Photon*>& found) const;
+  /// The word of a path whose part up to and with the photon's surface is spelt at `node`.
+  taxonomy::WordTrie::Node spell(Walk& walk, taxonomy::WordTrie::Node node, const Photon& photon) const;
+
+ private:
+  /// How a photon came: an event, and the way up to there; at last the light.
+  struct Way {
+    Event event{};
+    std::uint32_t before = kNone;
+  };
+  static constexpr std::uint32_t kNone = 0xffff'ffffu;
+  struct Tree;
+  struct Row;
+
+  float radius_;
+  std::vector<Photon> photons_;
+  std::vector<Way> ways_;
+  std::uint64_t rays_ = 0;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace heckbert::transport
