@@ -1,4 +1,4 @@
-// The two integrators against each other and against their own promises.
+// The integrators against each other and against their own promises.
 
 #include <atomic>
 #include <numbers>
@@ -32,17 +32,19 @@ Scene mixed_room() {
 }
 
 TEST(Render, GivesTheSameBytesForAnyNumberOfThreads) {
+  Scene room = mixed_room();
+  room.point_lights.push_back({.position = {0.5f, 1.5f, 1}, .intensity = Rgb(1)});  // for those who know no lamps
   for (const AlgorithmFacts& algorithm : kAlgorithms) {
     RenderSettings settings{
         .algorithm = algorithm.id, .width = 100, .height = 70, .samples_per_pixel = 8, .threads = 1};
-    const auto one = render(mixed_room(), settings);
-    ASSERT_GT(one.words.size(), 5u);
+    const auto one = render(room, settings);
+    ASSERT_FALSE(one.words.empty() && one.ambient.empty()) << algorithm.name;
     for (const int threads : {2, 4}) {
       settings.threads = threads;
-      EXPECT_TRUE(render(mixed_room(), settings) == one) << algorithm.name << " with " << threads;
+      EXPECT_TRUE(render(room, settings) == one) << algorithm.name << " with " << threads;
     }
     settings.seed = 2;
-    EXPECT_FALSE(render(mixed_room(), settings) == one) << algorithm.name << ": another seed must be another picture";
+    EXPECT_FALSE(render(room, settings) == one) << algorithm.name << ": another seed must be another picture";
   }
 }
 
@@ -63,7 +65,7 @@ TEST(Render, ThePictureOnlyModeTracesTheSamePaths) {
     EXPECT_NEAR(picture.pixels[i].g, beauty.pixels[i].g, 1e-5f * (1 + beauty.pixels[i].g));
 }
 
-TEST(Render, TheRecursiveTracersFindWhatTheirGrammarsSayAndTheReferenceAgrees) {
+TEST(Render, TheTracersFromTheEyeFindWhatTheirGrammarsSayAndTheReferenceAgrees) {
   const RenderSettings reference_settings{.width = 24, .height = 18, .samples_per_pixel = 4096, .max_depth = 8};
   const auto reference = render(mixed_room(), reference_settings);
   const struct {
@@ -71,7 +73,11 @@ TEST(Render, TheRecursiveTracersFindWhatTheirGrammarsSayAndTheReferenceAgrees) {
     const char* grammar;
     std::vector<std::string> words;
   } rows[] = {{AlgorithmId::Whitted, "L N? S* E", {"LE", "LDE", "LGE", "LSE", "LDSE", "LGSE", "LSSE", "LDSSE"}},
-              {AlgorithmId::Lecture, "L D? S* E", {"LE", "LDE", "LSE", "LDSE", "LSSE", "LDSSE"}}};
+              {AlgorithmId::Lecture, "L D? S* E", {"LE", "LDE", "LSE", "LDSE", "LSSE", "LDSSE"}},
+              {AlgorithmId::Distribution,
+               "L D? [GS]* E",
+               {"LE", "LDE", "LGE", "LSE", "LDSE", "LGSE", "LSSE", "LDSSE", "LDGE", "LSGE"}},
+              {AlgorithmId::RayCasting, "L N? E", {"LE", "LDE", "LGE"}}};
   for (const auto& row : rows) {
     RenderSettings settings = reference_settings;
     settings.algorithm = row.algorithm;
@@ -82,8 +88,8 @@ TEST(Render, TheRecursiveTracersFindWhatTheirGrammarsSayAndTheReferenceAgrees) {
     for (const taxonomy::Word& word : record.words) EXPECT_TRUE(grammar.contains(word)) << taxonomy::fine(word);
     for (const std::string& word : row.words) {
       const auto a = energy_of(record, word), b = energy_of(reference, word);
-      // Two-sample z-test, 1 % over fourteen words after Sidak.
-      EXPECT_NEAR(a.mean, b.mean, 3.38 * std::hypot(a.standard_error, b.standard_error)) << row.grammar << " " << word;
+      // Two-sample z-test, 1 % over twenty-seven words after Sidak.
+      EXPECT_NEAR(a.mean, b.mean, 3.56 * std::hypot(a.standard_error, b.standard_error)) << row.grammar << " " << word;
       EXPECT_GT(b.mean, 0.0) << word;
       EXPECT_LT(b.standard_error, 0.06 * b.mean) << word;
     }
@@ -98,7 +104,11 @@ TEST(Render, NoWordHasMoreScatteringsThanTheMaximumDepth) {
           {.algorithm = algorithm.id, .width = 24, .height = 18, .samples_per_pixel = 64, .max_depth = max_depth});
       std::size_t longest = 0;
       for (const taxonomy::Word& word : record.words) longest = std::max(longest, word.events.size());
-      EXPECT_EQ(longest, static_cast<std::size_t>(max_depth)) << algorithm.name;
+      EXPECT_LE(longest, static_cast<std::size_t>(max_depth)) << algorithm.name;
+      const taxonomy::Language& grammar = taxonomy::builtin_grammars().find(algorithm.grammar)->language;
+      if (grammar.contains(taxonomy::parse_word("LaSrSrSrEp"))) {
+        EXPECT_EQ(longest, static_cast<std::size_t>(max_depth)) << algorithm.name;
+      }
     }
 }
 

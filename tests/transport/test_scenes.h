@@ -1,6 +1,7 @@
 #pragma once
 // Scenes with known answers, and the comparison of a record with them.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>

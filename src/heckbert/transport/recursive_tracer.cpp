@@ -1,5 +1,7 @@
 #include <heckbert/transport/recursive_tracer.h>
 
+#include <cmath>
+
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -21,7 +23,9 @@ struct Branch {
   Ray ray;
   taxonomy::WordTrie::Node node = 0;
   Rgb weight{1.0f};
-  float radiance_scale = 1;  ///< compression of radiance in `weight`; see path_tracer.cpp
+  float radiance_scale = 1;   ///< compression of radiance in `weight`; see path_tracer.cpp
+  float pdf_solid_angle = 0;  ///< of the ray, spread over a glossy lobe at `ray.origin`; 0 for all others
+  glm::vec3 spread_from{0};   ///< where that lobe is
   int depth = 0;
   bool phantom = false;
   Bodies bodies{};  ///< that the ray starts in
@@ -38,11 +42,15 @@ class Tree {
     branch.bodies = walk_.bodies;
     if (!hit) {
       walk_.arrive(branch.depth, {branch.ray.direction, branch.weight, true});
-      add(branch, Symbol::Le, {LightSource::Type::Environment, 0}, world_.lights.environment(branch.ray.direction));
+      add(branch, Symbol::Le, {LightSource::Type::Environment, 0},
+          world_.lights.environment(branch.ray.direction) *
+              weight_of(branch, [&] { return world_.lights.pdf_environment(branch.ray.direction); }));
       return end(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     walk_.arrive(branch.depth, {hit->position, branch.weight});
-    add(branch, Symbol::La, {LightSource::Type::Emitter, hit->emitter}, world_.lights.emitted(*hit));
+    if (const Rgb emitted = world_.lights.emitted(*hit); !is_black(emitted))
+      add(branch, Symbol::La, {LightSource::Type::Emitter, hit->emitter},
+          emitted * weight_of(branch, [&] { return world_.lights.pdf_solid_angle(*hit, branch.spread_from); }));
     const Vertex vertex = vertex_at(world_, walk_, *hit, branch.ray.direction);
     add_ambient(branch, vertex);
     if (branch.depth != world_.max_depth) return go_on(branch, vertex);
@@ -63,7 +71,10 @@ class Tree {
     shade(branch, vertex);
     bool spawned = false;
     for (const Lobe& lobe : vertex.lobes())
-      if (is_delta(lobe)) spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
+      if (is_delta(lobe))
+        spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
+      else if (options_.spread_glossy && taxonomy::facts(letter(lobe)).letter == 'G')
+        spawned |= spread(branch, vertex, lobe);
     // Only where the ray would end: two rays at full strength from every wall would be a tree without bound.
     if (!spawned && !past_the_limit_ && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
       spawned = spawn_phantom(branch, vertex);
@@ -80,16 +91,13 @@ class Tree {
 
   void add_ambient(const Branch& branch, const Vertex& vertex) {
     if (is_black(world_.scene.ambient) || past_the_limit_) return;
-    Rgb k_a;
-    for (const Lobe& lobe : vertex.lobes()) k_a += diffuse_albedo(lobe);
-    k_a = vertex.material->ambient_reflectance.value_or(k_a);
     walk_.sink.add_non_path(branch.phantom ? NonPath::Phantom : NonPath::Ambient,
-                            branch.weight * k_a * world_.scene.ambient);
+                            branch.weight * ambient_reflectance(vertex) * world_.scene.ambient);
   }
 
   void shade(const Branch& branch, const Vertex& vertex) {
     if (!vertex.has_non_delta) return;
-    const DirectLight rule{.multiple_importance = false, .glossy = options_.glossy_highlights};
+    const DirectLight rule{.glossy = options_.glossy_highlights, .follows_glossy = options_.spread_glossy};
     if (branch.phantom) {
       const Rgb light = direct_light(world_, walk_, vertex, rule);
       if (!is_black(light)) walk_.sink.add_non_path(NonPath::Phantom, branch.weight * light);
@@ -104,19 +112,46 @@ class Tree {
     return reflected || transmitted;
   }
 
-  bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted) {
+  bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted,
+             float pdf_solid_angle = 0) {
     if (is_black(child.weight)) return false;
     Branch next{
         .ray = vertex.leave(child.wi, transmitted),
         .node = parent.phantom ? parent.node : walk_.step(parent.node, child.event, world_.labels.surface(vertex.hit)),
         .weight = parent.weight * child.weight,
         .radiance_scale = parent.radiance_scale * child.radiance_scale,
+        .pdf_solid_angle = pdf_solid_angle,
+        .spread_from = vertex.hit.position,
         .depth = parent.depth + 1,
         .phantom = parent.phantom,
         .bodies = parent.bodies};
     if (transmitted && world_.has_bodies) next.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     descend(next);
     return true;
+  }
+
+  /// What a light that the ray runs into counts, when next-event estimation could have found it with the density
+  /// `pdf()`.
+  template <class Pdf>
+  float weight_of(const Branch& branch, Pdf pdf) const {
+    return branch.pdf_solid_angle > 0 ? power_heuristic(branch.pdf_solid_angle, pdf()) : 1.0f;
+  }
+
+  bool spread(const Branch& parent, const Vertex& vertex, const Lobe& lobe) {
+    const glm::vec2 u = walk_.sampler.next2();
+    const glm::vec3 drawn =
+        sample_direction(lobe, vertex.wo, {u, is_branching(lobe) ? walk_.sampler.next() : 0.0f}, vertex.hit.front);
+    if (drawn.z == 0) return false;
+    const glm::vec3 wi = vertex.local(vertex.frame.to_world(drawn));
+    if (wi.z == 0) return false;
+    const LobeValue value = value_and_pdf(lobe, vertex.wo, wi, vertex.hit.front);
+    if (!(value.pdf_solid_angle > 0)) return false;
+    const bool transmitted = wi.z < 0;
+    const DeltaBranch child{.event = letter(lobe, transmitted),
+                            .wi = wi,
+                            .weight = value.f * (std::abs(wi.z) / value.pdf_solid_angle),
+                            .radiance_scale = transmitted ? radiance_compression(lobe, vertex.hit.front) : 1.0f};
+    return spawn(parent, vertex, child, transmitted, value.pdf_solid_angle);
   }
 
   bool spawn_phantom(const Branch& parent, const Vertex& vertex) {

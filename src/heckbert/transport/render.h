@@ -18,7 +18,37 @@
 
 namespace heckbert::transport {
 
-enum class AlgorithmId : std::uint8_t { Path, PathHits, PathNextEvent, Light, Bidirectional, Whitted, Lecture };
+enum class AlgorithmId : std::uint8_t {
+  Path,
+  PathHits,
+  PathNextEvent,
+  Light,
+  Bidirectional,
+  Whitted,
+  Lecture,
+  Distribution,
+  RayCasting,
+  LocalShading,
+  AmbientOcclusion
+};
+
+/// What can be said of an algorithm's values, where its words are the right ones.
+enum class Accuracy : std::uint8_t {
+  Unbiased,    ///< right on average, with any number of samples
+  Consistent,  ///< right in the limit of finer and finer settings: photons, patches
+  Biased,      ///< something is left out for good
+  NotLight     ///< it shows something else than the scene's light
+};
+
+/// The techniques that an algorithm has for joining two walks, one from each end.
+enum class Reach : std::uint8_t {
+  Hit,        ///< walks from the eye that run into a light
+  NextEvent,  ///< walks from the eye that ask for a light
+  Eye,        ///< both of these
+  Light,      ///< walks from the light that run into the lens or ask for the eye
+  Both,       ///< all pairs
+  Merging     ///< all pairs, and vertices near each other count as one
+};
 
 struct AlgorithmFacts {
   AlgorithmId id;
@@ -27,28 +57,52 @@ struct AlgorithmFacts {
   std::string_view title;
   bool media = true;    ///< takes scenes with media, and with bodies in one another
   bool splats = false;  ///< walks from the light too, whose paths may end at any pixel
+  Accuracy accuracy = Accuracy::Unbiased;
+  Reach reach = Reach::Eye;
 };
 
 /// Every algorithm that can render; the command line, the help and the tests read this table.
-inline constexpr std::array<AlgorithmFacts, 7> kAlgorithms{{
+inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
     {AlgorithmId::Path, "path", "path-tracing", "reference path tracer"},
-    {AlgorithmId::PathHits, "path-hits", "path-tracing-hits", "path tracer that runs into lights"},
-    {AlgorithmId::PathNextEvent, "path-next-event", "path-tracing-next-event", "path tracer that asks for the light"},
+    {.id = AlgorithmId::PathHits,
+     .name = "path-hits",
+     .grammar = "path-tracing-hits",
+     .title = "path tracer that runs into lights",
+     .reach = Reach::Hit},
+    {.id = AlgorithmId::PathNextEvent,
+     .name = "path-next-event",
+     .grammar = "path-tracing-next-event",
+     .title = "path tracer that asks for the light",
+     .reach = Reach::NextEvent},
     {.id = AlgorithmId::Light,
      .name = "light",
      .grammar = "light-tracing",
      .title = "light tracing",
      .media = false,
-     .splats = true},
+     .splats = true,
+     .reach = Reach::Light},
     {.id = AlgorithmId::Bidirectional,
      .name = "bidirectional",
      .grammar = "bidirectional-path-tracing",
      .title = "bidirectional path tracing",
      .media = false,
-     .splats = true},
+     .splats = true,
+     .reach = Reach::Both},
     {AlgorithmId::Whitted, "whitted", "whitted", "Whitted's recursive ray tracer"},
     {AlgorithmId::Lecture, "lecture", "lecture", "the lecture's recursive ray tracer"},
-}};
+    {AlgorithmId::Distribution, "distribution", "distribution-ray-tracing", "distribution ray tracing (Cook)"},
+    {AlgorithmId::RayCasting, "ray-casting", "ray-casting", "ray casting with shadow rays (Appel)"},
+    {.id = AlgorithmId::LocalShading,
+     .name = "local-shading",
+     .grammar = "local-shading",
+     .title = "local shading without shadows (Phong)",
+     .accuracy = Accuracy::Biased},
+    {.id = AlgorithmId::AmbientOcclusion,
+     .name = "ambient-occlusion",
+     .grammar = "ambient-occlusion",
+     .title = "ambient occlusion, no light of the scene",
+     .accuracy = Accuracy::NotLight},
+});
 
 constexpr const AlgorithmFacts& facts(AlgorithmId id) {
   return kAlgorithms[static_cast<std::size_t>(id)];

@@ -1,8 +1,12 @@
 #include <heckbert/transport/stage.h>
 
+#include <heckbert/transport/ambient_occlusion.h>
 #include <heckbert/transport/bidirectional.h>
+#include <heckbert/transport/fault.h>
 #include <heckbert/transport/light_tracer.h>
+#include <heckbert/transport/local_shading.h>
 #include <heckbert/transport/path_tracer.h>
+#include <heckbert/transport/ray_casting.h>
 #include <heckbert/transport/recursive_tracer.h>
 #include <heckbert/transport/travel.h>
 
@@ -24,7 +28,8 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
              has_bodies(scene) ? bodies_at(scene, tracer_, scene.camera.position) : Bodies{},
              emission_,
              picture_window(settings),
-             1.0f / static_cast<float>(picture_window(settings).pixel_count())} {}
+             1.0f / static_cast<float>(picture_window(settings).pixel_count()),
+             planted()} {}
 
 void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
   switch (algorithm) {
@@ -39,9 +44,17 @@ void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm
     case AlgorithmId::Bidirectional:
       return trace_bidirectionally(world, walk, ray);
     case AlgorithmId::Whitted:
-      return trace_recursively(world, walk, ray, {.glossy_highlights = true, .mirror_at_diffuse = false});
+      return trace_recursively(world, walk, ray, {});
     case AlgorithmId::Lecture:
       return trace_recursively(world, walk, ray, {.glossy_highlights = false, .mirror_at_diffuse = true});
+    case AlgorithmId::Distribution:
+      return trace_recursively(world, walk, ray, {.spread_glossy = true});
+    case AlgorithmId::RayCasting:
+      return cast_ray(world, walk, ray);
+    case AlgorithmId::LocalShading:
+      return shade_locally(world, walk, ray);
+    case AlgorithmId::AmbientOcclusion:
+      return trace_occlusion(world, walk, ray);
   }
 }
 

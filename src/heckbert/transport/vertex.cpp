@@ -4,12 +4,30 @@
 
 #include <glm/geometric.hpp>
 
+#include <heckbert/transport/fault.h>
 #include <heckbert/transport/texture.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
 
 namespace {
+
+/// The factor by which a planted fault makes the value of a lobe wrong.
+float error_of(Fault fault, const LightSample& light, float cosine, float importance_weight, bool is_glossy) {
+  switch (fault) {
+    case Fault::None:
+      return 1;
+    case Fault::HalvedLobe:
+      return is_glossy ? 0.5f : 1.0f;
+    case Fault::DroppedWeight:
+      return 1 / importance_weight;
+    case Fault::MissingCosine:
+      return 1 / cosine;
+    case Fault::WrongLightDensity:
+      return light.source.type == LightSource::Type::Emitter && light.source.index == 0 ? 0.5f : 1.0f;
+  }
+  return 1;
+}
 
 /// Next-event estimation without words: calls per_lobe(event, light, value) for each lobe that sends light back.
 template <class PerLobe>
@@ -25,15 +43,26 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
   const Rgb arriving = arriving_light(world, walk, vertex, transmitted, origin, light);
   if (is_black(arriving)) return;
   const Vertex::Values values = vertex.values(wi);
-  float weight = std::abs(wi.z) / light.pdf_solid_angle;
-  if (rule.multiple_importance && !light.is_delta)
-    weight *= power_heuristic(light.pdf_solid_angle, values.pdf_solid_angle);
-  const Rgb incident = arriving * weight;
+  const float cosine = std::abs(wi.z);
+  const float importance_weight = rule.multiple_importance && !light.is_delta
+                                      ? power_heuristic(light.pdf_solid_angle, values.pdf_solid_angle)
+                                      : 1.0f;
+  const Rgb incident = arriving * (cosine / light.pdf_solid_angle * importance_weight);
   const std::span<const Lobe> lobes = vertex.lobes();
   for (std::size_t i = 0; i < lobes.size(); ++i) {
     if (is_black(values.f[i])) continue;
     const taxonomy::Symbol event = letter(lobes[i], transmitted);
-    if (rule.glossy || taxonomy::facts(event).letter == 'D') per_lobe(event, light, values.f[i] * incident);
+    const bool is_diffuse = taxonomy::facts(event).letter == 'D';
+    if (!rule.glossy && !is_diffuse) continue;
+    const bool has_own_weight = rule.follows_glossy && !is_diffuse && !light.is_delta;
+    const float own_weight =
+        has_own_weight
+            ? power_heuristic(light.pdf_solid_angle, pdf_solid_angle(lobes[i], vertex.wo, wi, vertex.hit.front))
+            : 1.0f;
+    Rgb value = values.f[i] * incident * own_weight;
+    if (world.fault != Fault::None) [[unlikely]]
+      value *= error_of(world.fault, light, cosine, importance_weight * own_weight, !is_diffuse);
+    per_lobe(event, light, value);
   }
 }
 
@@ -132,6 +161,12 @@ void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, t
               light);
   };
   estimate_direct_light(world, walk, vertex, rule, add);
+}
+
+Rgb ambient_reflectance(const Vertex& vertex) {
+  Rgb k_a;
+  for (const Lobe& lobe : vertex.lobes()) k_a += diffuse_albedo(lobe);
+  return vertex.material->ambient_reflectance.value_or(k_a);
 }
 
 Rgb direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule) {

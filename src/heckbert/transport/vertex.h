@@ -22,6 +22,7 @@
 namespace heckbert::transport {
 
 class Emission;
+enum class Fault : std::uint8_t;  // fault.h
 
 /// A scene ready to be traced.
 struct World {
@@ -36,6 +37,7 @@ struct World {
   const Emission& emission;
   record::Window window{};  ///< the part of the picture that is traced
   float pixel_share = 1;    ///< one over the number of its pixels
+  Fault fault{};            ///< none, but in tests
 };
 
 /// What one camera sample carries along.
@@ -139,6 +141,9 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
 struct DirectLight {
   bool multiple_importance = false;  ///< weigh against the chance of hitting the light by following a lobe
   bool glossy = true;                ///< glossy lobes too, or diffuse ones only
+  /// Weigh each glossy lobe against the chance of hitting the light by following that lobe, and diffuse ones not at
+  /// all: for tracers that follow glossy lobes one by one and diffuse ones never. In place of `multiple_importance`.
+  bool follows_glossy = false;
 };
 
 /// Next-event estimation at a vertex: one light, one shadow ray, one contribution per non-delta lobe, all with one
@@ -148,6 +153,9 @@ void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, t
 
 /// The same sum as a colour, for light that belongs to no path.
 Rgb direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule);
+
+/// k_a, which the ambient term multiplies.
+Rgb ambient_reflectance(const Vertex& vertex);
 
 /// The power heuristic with exponent two (Veach 1997, 9.2.4).
 inline float power_heuristic(float pdf, float other) {

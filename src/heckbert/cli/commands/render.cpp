@@ -75,7 +75,7 @@ void declare(CLI::App& command, RenderOptions& options) {
                    "Cryptomatte of the --lpe classes, else of all words, in the -o file");
   command.add_option("--algorithm", options.algorithm, algorithm_help())->type_name("NAME");
   command.add_flag("--json", options.json, "print what was done as JSON");
-  add_settings(command, options.flags, {Scope::Tracing, Scope::Dialect, Scope::Glossy, Scope::Confidence});
+  add_settings(command, options.flags, {Scope::Tracing, Scope::Rendering, Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
 constexpr const char* kExamples =
