@@ -24,8 +24,9 @@ std::vector<std::string> names() {
   return out;
 }
 
-TEST(BuiltinScenes, AreTheFourOfTheScenesFolder) {
-  EXPECT_THAT(names(), ElementsAre("caustic", "cornell", "furnace", "lecture"));
+TEST(BuiltinScenes, AreThoseOfTheScenesFolder) {
+  EXPECT_THAT(names(), ElementsAre("caustic", "caustic-point", "cornell", "cornell-balls", "door", "furnace", "lantern",
+                                   "lecture"));
 }
 
 TEST(BuiltinScenes, LoadWithNothingGuessedOrIgnored) {
