@@ -82,6 +82,7 @@ inline const std::vector<std::vector<std::string>> kCommands{{"render"},
                                                              {"grammar", "errors"},
                                                              {"scene", "list"},
                                                              {"scene", "check"},
+                                                             {"verify"},
                                                              {"merge"},
                                                              {"record", "import"}};
 

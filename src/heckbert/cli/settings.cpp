@@ -73,23 +73,23 @@ const std::vector<Setting>& all_settings() {
         {"spp", "N", Scope::Tracing, "time",
          fmt::format("samples per pixel (default: the scene's, else {})", fallback.samples_per_pixel),
          [](Settings& s, const std::string& t) { s.samples_per_pixel = whole(t, 1, kMaxSamples); }},
-        {"time", "SECONDS", Scope::Tracing, "spp", "take as many samples per pixel as fit into this time",
+        {"time", "SECONDS", Scope::Rendering, "spp", "take as many samples per pixel as fit into this time",
          [](Settings& s, const std::string& t) { s.seconds = number_between(t, 0, 1e7); }},
         {"seed", "N", Scope::Tracing, "",
          fmt::format("seed of the random numbers (default: the scene's, else {})", fallback.seed),
          [](Settings& s, const std::string& t) {
            s.seed = whole_number(t, 0, std::numeric_limits<std::uint64_t>::max());
          }},
-        {"part", "I/N", Scope::Tracing, "", "trace the I-th of N parts of the samples; see 'heckbert merge'",
+        {"part", "I/N", Scope::Rendering, "", "trace the I-th of N parts of the samples; see 'heckbert merge'",
          [](Settings& s, const std::string& t) { s.part = parse_part(t); }},
-        {"checkpoint", "SECONDS", Scope::Tracing, "", "write what is there to the --record file every so often",
+        {"checkpoint", "SECONDS", Scope::Rendering, "", "write what is there to the --record file every so often",
          [](Settings& s, const std::string& t) { s.checkpoint = number_between(t, 0, 1e7); }},
         {"threads", "N", Scope::Tracing, "", "threads to trace with; 0 for all cores (default); changes no pixel",
          [](Settings& s, const std::string& t) { s.threads = whole(t, 0, kMaxThreads); }},
         {"size", "WxH", Scope::Tracing, "",
          fmt::format("size in pixels (default: the scene's, else {}x{})", fallback.width, fallback.height),
          [](Settings& s, const std::string& t) { s.size = parse_size(t); }},
-        {"crop", "X0,Y0,X1,Y1", Scope::Tracing, "", "render only these pixels, X1 and Y1 excluded",
+        {"crop", "X0,Y0,X1,Y1", Scope::Rendering, "", "render only these pixels, X1 and Y1 excluded",
          [](Settings& s, const std::string& t) { s.crop = parse_window(t); }},
         {"max-depth", "N", Scope::Tracing, "",
          fmt::format("most scatterings per path (default: the scene's, else {})", fallback.max_depth),
@@ -103,7 +103,7 @@ const std::vector<Setting>& all_settings() {
         {"sampler", alternatives(transport::kSamplers), Scope::Tracing, "",
          fmt::format("where random numbers come from (default: {})", transport::kSamplers.front().name),
          [](Settings& s, const std::string& t) { s.sampler = choose(t, transport::kSamplers).kind; }},
-        {"labels", alternatives(transport::kLabelKinds) + "[,..]", Scope::Tracing, "",
+        {"labels", alternatives(transport::kLabelKinds) + "[,..]", Scope::Rendering, "",
          "write into words what events happened on, and the groups of lights",
          [](Settings& s, const std::string& t) { s.labels = parse_labels(t); }},
         {"progress", alternatives(kWhens), Scope::Tracing, "", "progress on standard error (auto: on a terminal)",
@@ -227,7 +227,8 @@ void add_settings(CLI::App& command, SettingFlags& flags, std::initializer_list<
                               ? command.add_flag_function(
                                     "--" + setting.name, [store](std::int64_t) { store("true"); }, setting.help)
                               : command.add_option_function<std::string>("--" + setting.name, store, setting.help);
-    option->type_name(setting.value)->group(setting.scope == Scope::Tracing ? "Tracing" : "Options");
+    option->type_name(setting.value)
+        ->group(setting.scope == Scope::Tracing || setting.scope == Scope::Rendering ? "Tracing" : "Options");
   }
   command.add_option("--config", flags.config, "file of settings, name = value; flags and environment win over it")
       ->type_name("FILE");

@@ -52,8 +52,8 @@ struct Settings {
   When color = When::Auto;
 };
 
-/// Which commands a setting is for.
-enum class Scope : std::uint8_t { Tracing, Dialect, Glossy, Confidence, Everywhere };
+/// Which commands a setting is for: those that trace, that make a picture to keep, and so on.
+enum class Scope : std::uint8_t { Tracing, Rendering, Dialect, Glossy, Confidence, Everywhere };
 
 /// What the flags of one command line say.
 struct SettingFlags {

@@ -177,4 +177,8 @@ double student_quantile(double probability, int degrees) {
   return std::sqrt(degrees) * std::tan(low);
 }
 
+double student_tails(double t, int degrees) {
+  return std::max(1 - student_central_probability(std::atan(t / std::sqrt(degrees)), degrees), 0.0);
+}
+
 }  // namespace heckbert::record

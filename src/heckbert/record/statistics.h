@@ -61,5 +61,7 @@ Estimate cut_off(const Tally& tally, double confidence = 0.95);
 
 /// Quantile of Student's t with `degrees` degrees of freedom: the t with P(T <= t) = probability.
 double student_quantile(double probability, int degrees);
+/// P(|T| > t) for t >= 0, to some 1e-15.
+double student_tails(double t, int degrees);
 
 }  // namespace heckbert::record

@@ -18,6 +18,7 @@ void add_report(CLI::App& app, Run& chosen);
 void add_match(CLI::App& app, Run& chosen);
 void add_grammar(CLI::App& app, Run& chosen);
 void add_scene(CLI::App& app, Run& chosen);
+void add_verify(CLI::App& app, Run& chosen);
 void add_merge(CLI::App& app, Run& chosen);
 void add_record_family(CLI::App& app, Run& chosen);
 

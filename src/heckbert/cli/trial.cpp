@@ -1,0 +1,110 @@
+#include <heckbert/cli/trial.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include <heckbert/taxonomy/expression.h>
+#include <heckbert/taxonomy/symbol_set.h>
+#include <heckbert/transport/hash.h>
+
+namespace heckbert::cli {
+
+using taxonomy::Symbol;
+
+std::optional<TrialRun> run_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+                                  const transport::RenderSettings& settings,
+                                  std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  TrialRun run{.algorithm = &algorithm};
+  for (int batch = 0; batch < record::kBatches; ++batch) {
+    transport::RenderSettings part = settings;
+    part.algorithm = algorithm.id;
+    part.samples_per_pixel = std::max(1, settings.samples_per_pixel / record::kBatches);
+    part.seed = transport::mix(settings.seed + transport::kWeyl * static_cast<std::uint64_t>(batch + 1));
+    run.evidence.add(transport::render(scene, part, {.progress = {}, .stop = &stop}), pictures);
+    if (stop) return std::nullopt;
+  }
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+transport::RenderSettings reference_settings(transport::RenderSettings trials, int samples) {
+  trials.seed = ~trials.seed;
+  trials.samples_per_pixel = samples;
+  return trials;
+}
+
+taxonomy::Language claimed_by(const transport::AlgorithmFacts& algorithm) {
+  const taxonomy::Grammar& grammar = *taxonomy::builtin_grammars().find(algorithm.grammar);
+  return has_language(grammar) ? grammar.language : taxonomy::Language();
+}
+
+std::vector<Symbol> kinds_of_lights(const transport::Scene& scene) {
+  std::vector<Symbol> kinds;
+  const bool has_lamps = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                     [](const transport::Material& m) { return !is_black(m.emission); });
+  if (has_lamps) kinds.push_back(Symbol::La);
+  if (!scene.point_lights.empty() || !scene.spot_lights.empty()) kinds.push_back(Symbol::Lp);
+  if (!scene.distant_lights.empty()) kinds.push_back(Symbol::Ld);
+  if (!is_black(scene.environment) || scene.environment_image) kinds.push_back(Symbol::Le);
+  return kinds;
+}
+
+Symbol kind_of_eye(const transport::Scene& scene) {
+  const bool is_lens = scene.camera.projection == transport::Projection::Perspective && scene.camera.lens_radius > 0;
+  return is_lens ? Symbol::El : Symbol::Ep;
+}
+
+taxonomy::Language words_between(const std::vector<Symbol>& lights, Symbol eye) {
+  taxonomy::Language words;
+  for (const Symbol light : lights)
+    words = words | taxonomy::compile(fmt::format("{} .* {}", taxonomy::name(light), taxonomy::name(eye)));
+  return words;
+}
+
+std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const std::vector<Symbol>& lights, Symbol eye) {
+  std::vector<const transport::AlgorithmFacts*> trusted{&transport::kAlgorithms.front()};
+  taxonomy::Language left = words_between(lights, eye) - claimed_by(*trusted.front());
+  for (const transport::AlgorithmFacts& algorithm : transport::kAlgorithms) {
+    if (algorithm.accuracy != transport::Accuracy::Unbiased) continue;
+    const taxonomy::Language claimed = claimed_by(algorithm);
+    if ((claimed & left).is_empty()) continue;
+    trusted.push_back(&algorithm);
+    left = left - claimed;
+  }
+  return trusted;
+}
+
+std::vector<taxonomy::Language> shares_of(const std::vector<const transport::AlgorithmFacts*>& trusted,
+                                          const std::vector<Symbol>& lights, Symbol eye) {
+  taxonomy::Language left = words_between(lights, eye);
+  std::vector<taxonomy::Language> shares;
+  for (const transport::AlgorithmFacts* algorithm : trusted) {
+    shares.push_back(claimed_by(*algorithm) & left);
+    left = left - shares.back();
+  }
+  return shares;
+}
+
+std::vector<report::Witness> witnesses_of(const std::vector<TrialRun>& trusted) {
+  std::vector<report::Witness> witnesses;
+  for (const TrialRun& run : trusted)
+    witnesses.push_back({std::string(run.algorithm->name), &run.evidence, claimed_by(*run.algorithm)});
+  return witnesses;
+}
+
+std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs) {
+  std::vector<report::Trial> trials;
+  for (const TrialRun& run : runs)
+    trials.push_back({.algorithm = std::string(run.algorithm->name),
+                      .title = std::string(run.algorithm->title),
+                      .grammar = std::string(run.algorithm->grammar),
+                      .evidence = &run.evidence,
+                      .claimed = claimed_by(*run.algorithm),
+                      .may_be_wrong = run.algorithm->accuracy != transport::Accuracy::Unbiased});
+  return trials;
+}
+
+}  // namespace heckbert::cli

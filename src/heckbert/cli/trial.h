@@ -1,0 +1,63 @@
+#pragma once
+// Algorithms run against each other: each renders the same picture many times over, independently, and the renders are
+// the batches of its evidence.
+
+#include <atomic>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <heckbert/report/evidence.h>
+#include <heckbert/report/verdict.h>
+#include <heckbert/taxonomy/grammar.h>
+#include <heckbert/taxonomy/language.h>
+#include <heckbert/transport/render.h>
+
+namespace heckbert::cli {
+
+/// What a picture for comparing is, unless flags say otherwise: small, because every algorithm has to make it. The side
+/// is the longer one; the other follows the scene's own picture.
+inline constexpr int kTrialSide = 128, kTrialSamples = 64, kReferenceFactor = 4;
+
+/// An algorithm and what it rendered.
+struct TrialRun {
+  const transport::AlgorithmFacts* algorithm = nullptr;
+  report::Evidence evidence{};
+  double seconds = 0;
+};
+
+/// Renders record::kBatches times with an equal part of settings.samples_per_pixel each, at least one, and seeds that
+/// all follow from settings.seed. Keeps pictures of the languages. Nothing when it was stopped. Errors: as render().
+std::optional<TrialRun> run_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+                                  const transport::RenderSettings& settings,
+                                  std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop);
+
+/// The settings of everything that trials with these settings are compared with: other samples, and `samples` of them
+/// per pixel.
+transport::RenderSettings reference_settings(transport::RenderSettings trials, int samples);
+
+/// The words that an algorithm's grammar claims; none where it has no language.
+taxonomy::Language claimed_by(const transport::AlgorithmFacts& algorithm);
+
+/// The kinds of lights that the scene has.
+std::vector<taxonomy::Symbol> kinds_of_lights(const transport::Scene& scene);
+taxonomy::Symbol kind_of_eye(const transport::Scene& scene);
+
+/// All words between these lights and this eye.
+taxonomy::Language words_between(const std::vector<taxonomy::Symbol>& lights, taxonomy::Symbol eye);
+
+/// The algorithms whose word is taken, in this order: the reference path tracer, and as many unbiased others as it
+/// takes for every word between these lights and this eye that some unbiased algorithm claims.
+std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const std::vector<taxonomy::Symbol>& lights,
+                                                                 taxonomy::Symbol eye);
+
+/// By trusted algorithm: the words that none before it claims.
+std::vector<taxonomy::Language> shares_of(const std::vector<const transport::AlgorithmFacts*>& trusted,
+                                          const std::vector<taxonomy::Symbol>& lights, taxonomy::Symbol eye);
+
+/// Runs as report::verify() takes them; they refer to the evidence of the runs.
+std::vector<report::Witness> witnesses_of(const std::vector<TrialRun>& trusted);
+std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs);
+
+}  // namespace heckbert::cli

@@ -1,0 +1,311 @@
+#include <heckbert/report/verdict.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <heckbert/report/numbers.h>
+
+namespace heckbert::report {
+namespace {
+
+constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+
+/// The share of the expected energy that decides how many samples an algorithm needs.
+constexpr double kNearlyAll = 0.9;
+
+/// Words that print alike and stand alike, with what both sides say of them.
+struct Group {
+  std::string word;
+  std::size_t length = 0;
+  std::size_t witness = kNobody;
+  bool is_claimed = false;
+  Series expected, found;
+  std::map<std::size_t, Series> expected_blocks, found_blocks;
+  BrightPixel brightest{}, brightest_expected{};
+};
+
+void add(std::map<std::size_t, Series>& sum, const std::map<std::size_t, Series>& more) {
+  for (const auto& [block, series] : more) sum[block] += series;
+}
+
+void keep_brighter(BrightPixel& brightest, const BrightPixel& other) {
+  if (other.luminance > brightest.luminance) brightest = other;
+}
+
+/// Who vouches for a word.
+std::size_t witness_of(const taxonomy::Word& word, const std::vector<Witness>& witnesses) {
+  const auto found = std::find_if(witnesses.begin(), witnesses.end(),
+                                  [&](const Witness& witness) { return witness.language.contains(word); });
+  return found == witnesses.end() ? kNobody : static_cast<std::size_t>(found - witnesses.begin());
+}
+
+std::vector<Group> groups_of(const Trial& trial, const std::vector<Witness>& witnesses, taxonomy::Symbol light,
+                             Spelling spelling) {
+  std::map<std::tuple<std::string, bool, std::size_t>, Group> groups;
+  const auto group_of = [&](const taxonomy::Word& word, bool is_claimed, std::size_t witness) -> Group& {
+    const std::string name = spelling == Spelling::Plain ? plain(word) : fine(word);
+    Group& group = groups[{name, is_claimed, witness}];
+    group.word = name;
+    group.length = word.length();
+    group.witness = witness;
+    group.is_claimed = is_claimed;
+    return group;
+  };
+  for (const auto& [word, evidence] : trial.evidence->words()) {
+    if (word.light != light) continue;
+    Group& group = group_of(word, trial.claimed.contains(word), witness_of(word, witnesses));
+    group.found += evidence.picture;
+    add(group.found_blocks, evidence.blocks);
+    keep_brighter(group.brightest, evidence.brightest);
+  }
+  for (std::size_t w = 0; w < witnesses.size(); ++w)
+    for (const auto& [word, evidence] : witnesses[w].evidence->words()) {
+      if (word.light != light || witness_of(word, witnesses) != w || !trial.claimed.contains(word)) continue;
+      Group& group = group_of(word, true, w);
+      group.expected += evidence.picture;
+      add(group.expected_blocks, evidence.blocks);
+      keep_brighter(group.brightest_expected, evidence.brightest);
+    }
+  std::vector<Group> list;
+  for (auto& [key, group] : groups) list.push_back(std::move(group));
+  return list;
+}
+
+/// Everything that is known of a case before the number of comparisons is.
+struct Case {
+  const Trial* trial = nullptr;
+  taxonomy::Symbol light = taxonomy::Symbol::La;
+  std::vector<WordFinding> words{};
+  std::vector<std::vector<BlockFinding>> blocks{};  ///< by word: those that can be compared
+  Series all_expected{}, all_found{};               ///< of the words that are compared
+};
+
+class Judge {
+ public:
+  Judge(const std::vector<Witness>& witnesses, const VerdictOptions& options)
+      : witnesses_(witnesses), options_(options) {}
+
+  /// Compares whatever can be compared.
+  Case examine(const Trial& trial, taxonomy::Symbol light) {
+    Case result{.trial = &trial, .light = light};
+    std::map<std::size_t, Group> rest;  // by witness: of rare words
+    std::map<std::size_t, std::size_t> rest_size;
+    for (const Group& group : groups_of(trial, witnesses_, light, options_.spelling)) {
+      WordFinding finding = look_at(trial, group);
+      if (finding.standing == Standing::Rare || finding.standing == Standing::Untold) {
+        if (group.is_claimed && group.witness != kNobody) {
+          Group& sum = rest[group.witness];
+          ++rest_size[group.witness];
+          sum.witness = group.witness;
+          sum.is_claimed = true;
+          sum.length = std::max(sum.length, group.length);
+          sum.expected += group.expected;
+          sum.found += group.found;
+        }
+      }
+      std::vector<BlockFinding> blocks;
+      if (finding.standing == Standing::Agrees) {
+        result.all_expected += group.expected;
+        result.all_found += group.found;
+        blocks = blocks_of_group(trial, group);
+      }
+      finding.blocks_compared = blocks.size();
+      comparisons_ += blocks.size() + (finding.standing == Standing::Agrees || finding.standing == Standing::Missing);
+      result.words.push_back(std::move(finding));
+      result.blocks.push_back(std::move(blocks));
+    }
+    for (const auto& [witness, group] : rest) {
+      WordFinding finding = look_at(trial, group);
+      if (rest_size[witness] < 2 || finding.standing != Standing::Agrees) continue;
+      finding.pooled = rest_size[witness];
+      finding.word = fmt::format("{} rare words", finding.pooled);
+      result.all_expected += group.expected;
+      result.all_found += group.found;
+      ++comparisons_;
+      result.words.push_back(std::move(finding));
+      result.blocks.emplace_back();
+    }
+    return result;
+  }
+
+  std::size_t comparisons() const { return comparisons_; }
+
+  /// Call when all cases have been examined.
+  AlgorithmVerdict rule(Case c) const {
+    const double level = sidak(options_.significance, comparisons_);
+    for (std::size_t i = 0; i < c.words.size(); ++i) {
+      WordFinding& word = c.words[i];
+      if (word.standing == Standing::Missing && !is_surely_missing(*c.trial, word, level))
+        word.standing = Standing::Rare;
+      if (word.standing != Standing::Agrees) continue;
+      for (BlockFinding& block : c.blocks[i]) {
+        if (block.comparison.p_value >= level) continue;
+        ++word.blocks_that_differ;
+        if (!word.worst_block || block.comparison.p_value < word.worst_block->comparison.p_value)
+          word.worst_block = block;
+      }
+      if (word.comparison.p_value < level || word.blocks_that_differ > 0) word.standing = Standing::Differs;
+    }
+    AlgorithmVerdict verdict{
+        .algorithm = c.trial->algorithm, .title = c.trial->title, .grammar = c.trial->grammar, .light = c.light};
+    verdict.samples_needed = samples_for_nearly_all(c.words);
+    if (const Comparison all = comparison_of(*c.trial, witnesses_.front().evidence, c.all_expected, c.all_found);
+        all.expected.mean > 0)
+      verdict.ratio = report::ratio(all, quantile(*c.trial));
+    verdict.ruling = ruling_of(c.words, verdict.samples_needed);
+    verdict.is_expected =
+        facts(verdict.ruling).is_as_claimed || (verdict.ruling == Ruling::WrongValues && c.trial->may_be_wrong);
+    verdict.shortest = shortest_of(c.words, verdict.ruling);
+    std::stable_sort(c.words.begin(), c.words.end(), [](const WordFinding& a, const WordFinding& b) {
+      const auto energy = [](const WordFinding& word) {
+        return std::max(word.comparison.expected.mean, word.comparison.found.mean);
+      };
+      if (a.standing != b.standing) return a.standing < b.standing;
+      return energy(a) > energy(b);
+    });
+    verdict.words = std::move(c.words);
+    return verdict;
+  }
+
+ private:
+  double quantile(const Trial& trial) const { return trial.evidence->statistics(options_.confidence).quantile(); }
+
+  Comparison comparison_of(const Trial& trial, const Evidence* witness, const Series& expected,
+                           const Series& found) const {
+    const double size_found = found.count == 0 ? trial.evidence->mean_contribution() : 0;
+    const record::Estimate of_found = trial.evidence->statistics(options_.confidence).energy(found.values, size_found);
+    if (witness == nullptr) return {{}, of_found};
+    const double size_expected = expected.count == 0 ? witness->mean_contribution() : 0;
+    return compare(witness->statistics(options_.confidence).energy(expected.values, size_expected), witness->batches(),
+                   of_found, trial.evidence->batches());
+  }
+
+  /// Agrees stands for "can be compared" until the number of comparisons is known.
+  WordFinding look_at(const Trial& trial, const Group& group) const {
+    const Evidence* witness = group.witness == kNobody ? nullptr : witnesses_[group.witness].evidence;
+    WordFinding finding{.word = group.word,
+                        .length = group.length,
+                        .comparison = comparison_of(trial, witness, group.expected, group.found),
+                        .expected_count = group.expected.count,
+                        .found_count = group.found.count};
+    if (witness != nullptr) finding.witness = witnesses_[group.witness].algorithm;
+    const double enough_expected = effective_count(finding.comparison.expected);
+    const double enough_found = effective_count(finding.comparison.found);
+    if (group.found.count > 0) {
+      finding.brightest = group.brightest;
+      const Evidence& own = *trial.evidence;
+      const double samples = static_cast<double>(own.window().pixel_count()) * own.samples_per_pixel();
+      finding.samples_needed = std::max(samples / (enough_found * options_.error * options_.error), 1.0);
+    } else if (group.expected.count > 0) {
+      finding.brightest = group.brightest_expected;
+    }
+    if (group.expected.count > 0 && group.found.count > 0)
+      finding.ratio = report::ratio(finding.comparison, quantile(trial));
+    finding.standing = [&] {
+      if (!group.is_claimed) return Standing::Unclaimed;
+      if (witness == nullptr || enough_expected < kEnough) return Standing::Untold;
+      if (group.found.count == 0) return Standing::Missing;
+      return enough_found < kEnough ? Standing::Rare : Standing::Agrees;
+    }();
+    return finding;
+  }
+
+  std::vector<BlockFinding> blocks_of_group(const Trial& trial, const Group& group) const {
+    const Evidence& witness = *witnesses_[group.witness].evidence;
+    std::vector<BlockFinding> list;
+    if (!witness.has_blocks() || !trial.evidence->has_blocks()) return list;
+    const std::vector<record::Window> windows = blocks_of(witness.window());
+    for (const auto& [block, expected] : group.expected_blocks) {
+      const auto found = group.found_blocks.find(block);
+      if (found == group.found_blocks.end()) continue;
+      const Comparison comparison = comparison_of(trial, &witness, expected, found->second);
+      if (effective_count(comparison.expected) >= kEnough && effective_count(comparison.found) >= kEnough)
+        list.push_back({windows[block], comparison});
+    }
+    return list;
+  }
+
+  /// One of its paths is supposed to be as bright as the witness's are on average, or as the trial's own.
+  bool is_surely_missing(const Trial& trial, const WordFinding& word, double level) const {
+    const double size = std::max(word.comparison.expected.mean / static_cast<double>(word.expected_count),
+                                 trial.evidence->mean_contribution());
+    return trial.evidence->statistics(1 - level).energy({}, size).upper < word.comparison.expected.lower;
+  }
+
+  std::optional<double> samples_for_nearly_all(const std::vector<WordFinding>& words) const {
+    struct Need {
+      double samples, energy;
+    };
+    std::vector<Need> needs;
+    double total = 0;
+    for (const WordFinding& word : words) {
+      if (word.pooled > 1 || word.standing == Standing::Unclaimed || word.witness.empty()) continue;
+      const double energy = word.comparison.expected.mean;
+      total += energy;
+      needs.push_back({word.samples_needed.value_or(std::numeric_limits<double>::infinity()), energy});
+    }
+    std::sort(needs.begin(), needs.end(), [](const Need& a, const Need& b) { return a.samples < b.samples; });
+    double sum = 0;
+    for (const Need& need : needs)
+      if ((sum += need.energy) >= kNearlyAll * total && std::isfinite(need.samples)) return need.samples;
+    return std::nullopt;
+  }
+
+  Ruling ruling_of(const std::vector<WordFinding>& words, const std::optional<double>& samples_needed) const {
+    const auto any = [&](Standing standing) {
+      return std::any_of(words.begin(), words.end(), [&](const WordFinding& w) { return w.standing == standing; });
+    };
+    if (any(Standing::Unclaimed)) return Ruling::Oversteps;
+    if (any(Standing::Missing)) return Ruling::Misses;
+    if (any(Standing::Differs)) return Ruling::WrongValues;
+    if (words.empty()) return Ruling::Nothing;
+    if (!any(Standing::Agrees) && !any(Standing::Rare)) return Ruling::Untold;
+    return !samples_needed || *samples_needed > options_.budget ? Ruling::NeedsSamples : Ruling::Captures;
+  }
+
+  static std::string shortest_of(const std::vector<WordFinding>& words, Ruling ruling) {
+    const auto made_it = [&](const WordFinding& word) {
+      switch (ruling) {
+        case Ruling::Oversteps:
+          return word.standing == Standing::Unclaimed;
+        case Ruling::Misses:
+          return word.standing == Standing::Missing;
+        case Ruling::WrongValues:
+          return word.standing == Standing::Differs;
+        default:
+          return false;
+      }
+    };
+    const WordFinding* shortest = nullptr;
+    for (const WordFinding& word : words)
+      if (made_it(word) &&
+          (shortest == nullptr || std::tie(word.length, word.word) < std::tie(shortest->length, shortest->word)))
+        shortest = &word;
+    return shortest == nullptr ? "" : shortest->word;
+  }
+
+  const std::vector<Witness>& witnesses_;
+  const VerdictOptions& options_;
+  std::size_t comparisons_ = 0;
+};
+
+}  // namespace
+
+Verification verify(const std::vector<Trial>& trials, const std::vector<Witness>& witnesses,
+                    const std::vector<taxonomy::Symbol>& lights, const VerdictOptions& options) {
+  Judge judge(witnesses, options);
+  std::vector<Case> cases;
+  for (const Trial& trial : trials)
+    for (const taxonomy::Symbol light : lights) cases.push_back(judge.examine(trial, light));
+  Verification verification{.options = options, .comparisons = judge.comparisons(), .verdicts = {}};
+  for (Case& c : cases) verification.verdicts.push_back(judge.rule(std::move(c)));
+  return verification;
+}
+
+}  // namespace heckbert::report

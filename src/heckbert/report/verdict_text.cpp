@@ -1,0 +1,131 @@
+#include <heckbert/report/verdict_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <heckbert/report/numbers.h>
+#include <heckbert/taxonomy/symbol_set.h>
+
+namespace heckbert::report {
+namespace {
+
+std::string factor(const record::Estimate& ratio) {
+  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", ratio.mean, ratio.lower, ratio.upper);
+}
+
+std::string errors(double standard_errors) {
+  return std::isfinite(standard_errors) ? fmt::format("{:.1f} standard errors", standard_errors)
+                                        : std::string("without any spread");
+}
+
+std::string place(const BrightPixel& pixel) {
+  return fmt::format("brightest at {}, {}", pixel.x, pixel.y);
+}
+
+std::string needs(const std::optional<double>& samples) {
+  return samples ? fmt::format("needs about {} samples", samples_text(samples)) : std::string("needs more samples");
+}
+
+std::string note(const WordFinding& word) {
+  std::string text = fmt::format("{} {}", word.word, facts(word.standing).meaning);
+  switch (word.standing) {
+    case Standing::Differs:
+      text += fmt::format(": {} times that of {}, {}", factor(*word.ratio), word.witness,
+                          errors(word.comparison.standard_errors));
+      if (word.worst_block) {
+        const BlockFinding& worst = *word.worst_block;
+        text += fmt::format("; in {} of {} blocks, most at pixels {} to {}, {} to {}: {:.4g} times",
+                            word.blocks_that_differ, word.blocks_compared, worst.pixels.x0, worst.pixels.x1 - 1,
+                            worst.pixels.y0, worst.pixels.y1 - 1,
+                            worst.comparison.found.mean / worst.comparison.expected.mean);
+      }
+      return text;
+    case Standing::Missing:
+      return text + fmt::format(": {} has {} from {}, {}", word.witness, number(word.comparison.expected.mean),
+                                counted(word.expected_count, "path"), place(*word.brightest));
+    case Standing::Unclaimed:
+      return text + fmt::format(": {} from {}, {}", number(word.comparison.found.mean),
+                                counted(word.found_count, "path"), place(*word.brightest));
+    case Standing::Rare:
+    case Standing::Untold:
+    case Standing::Agrees:
+      return text;
+  }
+  return text;
+}
+
+/// The heaviest words that need more samples than there is a budget for.
+std::vector<std::string> costly(const AlgorithmVerdict& verdict, const VerdictOptions& options, std::size_t most) {
+  std::vector<const WordFinding*> words;
+  double total = 0;
+  for (const WordFinding& word : verdict.words) {
+    if (word.pooled > 1 || word.witness.empty()) continue;
+    total += word.comparison.expected.mean;
+    if (!word.samples_needed || *word.samples_needed > options.budget) words.push_back(&word);
+  }
+  std::stable_sort(words.begin(), words.end(), [](const WordFinding* a, const WordFinding* b) {
+    return a->comparison.expected.mean > b->comparison.expected.mean;
+  });
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(most, words.size()); ++i)
+    lines.push_back(fmt::format("{} {}; it has {} of the energy", words[i]->word, needs(words[i]->samples_needed),
+                                percent(words[i]->comparison.expected.mean / total)));
+  return lines;
+}
+
+/// What the verdict rests on; agreement needs no words.
+std::vector<std::string> notes(const AlgorithmVerdict& verdict, const VerdictOptions& options, std::size_t most) {
+  if (verdict.ruling == Ruling::NeedsSamples) return costly(verdict, options, most);
+  std::vector<std::string> lines;
+  for (const StandingFacts& standing : kStandings) {
+    if (standing.standing == Standing::Agrees || standing.standing == Standing::Untold ||
+        standing.standing == Standing::Rare)
+      continue;
+    std::size_t count = 0;
+    for (const WordFinding& word : verdict.words) {
+      if (word.standing != standing.standing) continue;
+      if (++count <= most) lines.push_back(note(word));
+    }
+    if (count > most) lines.push_back(fmt::format("... and {} more", counted(count - most, "word")));
+  }
+  return lines;
+}
+
+std::size_t count_of(const AlgorithmVerdict& verdict, Standing standing) {
+  std::size_t count = 0;
+  for (const WordFinding& word : verdict.words) count += word.standing == standing ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+std::string sentence(const AlgorithmVerdict& verdict) {
+  if (verdict.ruling != Ruling::NeedsSamples) return std::string(facts(verdict.ruling).sentence);
+  return "captured, but " + needs(verdict.samples_needed);
+}
+
+std::string verification_text(const Verification& verification, const TextStyle& style, std::size_t most) {
+  const VerdictOptions& options = verification.options;
+  std::string text =
+      wrap(fmt::format(
+               "{} of words and of their blocks of pixels; chance alone raises an alarm in {:g} of 100 verifications. "
+               "Intervals hold at {}. Samples are those for a relative error of {} at a pixel.",
+               counted(verification.comparisons, "comparison"), 100 * options.significance, level(options.confidence),
+               percent(options.error)),
+           style.width);
+  std::vector<TextRow> rows;
+  for (const AlgorithmVerdict& verdict : verification.verdicts) {
+    const std::size_t compared = count_of(verdict, Standing::Agrees) + count_of(verdict, Standing::Differs);
+    rows.push_back(
+        {.cells = {verdict.algorithm, taxonomy::name(verdict.light), sentence(verdict), std::to_string(compared),
+                   verdict.ratio ? fmt::format("{:.4f}", verdict.ratio->mean) : "-"},
+         .notes = notes(verdict, options, most)});
+  }
+  return text + '\n' +
+         text_table({{"Algorithm"}, {"Light"}, {"Verdict"}, {"Words", Align::Right}, {"Found/expected", Align::Right}},
+                    rows, style);
+}
+
+}  // namespace heckbert::report
