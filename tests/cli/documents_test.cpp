@@ -162,6 +162,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       {"scene", "check", room, "--json"},
       {"render", room, "--record", part, "--part", "2/4", "--size", "16x16", "--spp", "4", "--json"},
       {"verify", "caustic-point", "--algorithm", "local-shading", "--size", "64x64", "--spp", "32", "--json"},
+      {"why", "caustic", "--algorithm", "path", "--size", "16x16", "--spp", "32", "--cheapest", "--json"},
       {"merge", part, "-o", record, "--json"},
       {"record", "import", stream, "-o", record, "--json"}};
   std::map<std::string, Keys> written;
@@ -171,7 +172,7 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
     ASSERT_TRUE(document.is_object()) << command[0] << outcome.err;
     collect(document, "", written[document["schema"].get<std::string>()]);
   }
-  ASSERT_EQ(written.size(), 28u);
+  ASSERT_EQ(written.size(), 29u);
   const std::map<std::string, Keys> sections = tables();
   for (const auto& [schema, keys] : written) {
     ASSERT_TRUE(sections.contains(schema)) << schema << " has no section in docs/json.md";

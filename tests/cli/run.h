@@ -83,6 +83,7 @@ inline const std::vector<std::vector<std::string>> kCommands{{"render"},
                                                              {"scene", "list"},
                                                              {"scene", "check"},
                                                              {"verify"},
+                                                             {"why"},
                                                              {"merge"},
                                                              {"record", "import"}};
 

@@ -88,6 +88,43 @@ TEST(Verify, RefusesWhatCannotBeVerified) {
   EXPECT_THAT(run({"verify", dark}).err, HasSubstr("has no light"));
 }
 
+// ---- why ------------------------------------------------------------------------------------------------------------
+
+TEST(Why, NamesTheWordsThatAnAlgorithmCannotFind) {
+  const Outcome outcome = run({"why", "caustic", "--algorithm", "whitted", "--size", "32x32", "--spp", "32", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_GT(document["unreachable"], 0.1);
+  EXPECT_EQ(document["words"][0]["claimed"], false);
+  EXPECT_EQ(document["words"][0]["witness"], "path");
+  std::vector<std::string> words;
+  for (const json& word : document["words"]) words.push_back(word["word"]);
+  EXPECT_THAT(words, ::testing::Contains("LSDE"));
+  EXPECT_THAT(words, ::testing::Contains("LDDE"));
+  EXPECT_THAT(words, ::testing::Not(::testing::Contains("LDSE")));
+}
+
+TEST(Why, OfAPixelIsAboutThatPixel) {
+  const Outcome outcome =
+      run({"why", "caustic", "--algorithm", "whitted", "--pixel", "256,300", "--spp", "64", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document["window"]["x0"], 256);
+  EXPECT_EQ(document["window"]["y1"], 301);
+  for (const json& word : document["words"]) EXPECT_EQ(word["brightest"]["x"], 256);
+  EXPECT_EQ(run({"why", "caustic", "--pixel", "512,0"}).exit_code, 2);
+  EXPECT_EQ(run({"why", "caustic", "--region", "1,2,3"}).exit_code, 2);
+}
+
+TEST(Why, PlotsWhatAlgorithmsCaptureOverTheirTime) {
+  const TemporaryFolder folder;
+  const std::string plot = (folder / "plot.svg").string();
+  const Outcome outcome = run({"why", "lecture", "--size", "16x16", "--spp", "32", "--plot", plot});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("The cheapest that claims 99.00 % of the energy: path"));
+  EXPECT_THAT(read_bytes(plot), HasSubstr(">whitted</text>"));
+}
+
 // ---- the table ------------------------------------------------------------------------------------------------------
 
 constexpr const char* kScenes[] = {"cornell",       "cornell-balls", "lecture", "caustic",

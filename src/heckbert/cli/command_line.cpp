@@ -80,7 +80,7 @@ Run parse(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("heckbert ") + HECKBERT_VERSION, "print the version");
   app.require_subcommand(1);
   for (const auto add : {add_render, add_coverage, add_query, add_classify, add_paths, add_report, add_match,
-                         add_grammar, add_scene, add_merge, add_record_family, add_verify})
+                         add_grammar, add_scene, add_merge, add_record_family, add_verify, add_why})
     add(app, chosen);
 
   try {

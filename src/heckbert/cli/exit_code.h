@@ -17,9 +17,7 @@ struct ExitCodeFacts {
 
 inline constexpr std::array<ExitCodeFacts, 7> kExitCodes{{
     {ExitCode::Done, "done, or the answer is yes"},
-    {ExitCode::No,
-     "the answer is no: a word does not match, a statement about grammars does not hold, an algorithm fails its "
-     "grammar"},
+    {ExitCode::No, "the answer is no: a word does not match, a statement on grammars or algorithms does not hold"},
     {ExitCode::Usage, "the command line, or a HECKBERT_ variable, is not understood"},
     {ExitCode::BadInput, "an input (scene, record, expression, word, grammar, config file) is wrong or cannot be read"},
     {ExitCode::Failed, "failed while running"},

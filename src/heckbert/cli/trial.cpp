@@ -8,6 +8,7 @@
 #include <heckbert/taxonomy/expression.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/transport/hash.h>
+#include <heckbert/transport/travel.h>
 
 namespace heckbert::cli {
 
@@ -64,11 +65,15 @@ taxonomy::Language words_between(const std::vector<Symbol>& lights, Symbol eye) 
   return words;
 }
 
-std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const std::vector<Symbol>& lights, Symbol eye) {
+bool takes(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene) {
+  return algorithm.media || !transport::has_bodies(scene);
+}
+
+std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const transport::Scene& scene) {
   std::vector<const transport::AlgorithmFacts*> trusted{&transport::kAlgorithms.front()};
-  taxonomy::Language left = words_between(lights, eye) - claimed_by(*trusted.front());
+  taxonomy::Language left = words_between(kinds_of_lights(scene), kind_of_eye(scene)) - claimed_by(*trusted.front());
   for (const transport::AlgorithmFacts& algorithm : transport::kAlgorithms) {
-    if (algorithm.accuracy != transport::Accuracy::Unbiased) continue;
+    if (algorithm.accuracy != transport::Accuracy::Unbiased || !takes(algorithm, scene)) continue;
     const taxonomy::Language claimed = claimed_by(algorithm);
     if ((claimed & left).is_empty()) continue;
     trusted.push_back(&algorithm);

@@ -47,10 +47,12 @@ taxonomy::Symbol kind_of_eye(const transport::Scene& scene);
 /// All words between these lights and this eye.
 taxonomy::Language words_between(const std::vector<taxonomy::Symbol>& lights, taxonomy::Symbol eye);
 
+/// Can the algorithm render the scene? Some know no media.
+bool takes(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene);
+
 /// The algorithms whose word is taken, in this order: the reference path tracer, and as many unbiased others as it
-/// takes for every word between these lights and this eye that some unbiased algorithm claims.
-std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const std::vector<taxonomy::Symbol>& lights,
-                                                                 taxonomy::Symbol eye);
+/// takes for every word between the scene's lights and its eye that some unbiased algorithm claims.
+std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const transport::Scene& scene);
 
 /// By trusted algorithm: the words that none before it claims.
 std::vector<taxonomy::Language> shares_of(const std::vector<const transport::AlgorithmFacts*>& trusted,

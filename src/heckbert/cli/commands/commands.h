@@ -19,6 +19,7 @@ void add_match(CLI::App& app, Run& chosen);
 void add_grammar(CLI::App& app, Run& chosen);
 void add_scene(CLI::App& app, Run& chosen);
 void add_verify(CLI::App& app, Run& chosen);
+void add_why(CLI::App& app, Run& chosen);
 void add_merge(CLI::App& app, Run& chosen);
 void add_record_family(CLI::App& app, Run& chosen);
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <heckbert/cli/algorithms.h>
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
@@ -48,13 +49,6 @@ struct RenderOptions {
   SettingFlags flags;
 };
 
-std::string algorithm_help() {
-  std::string help = fmt::format("how to trace (default: {}):", transport::kAlgorithms.front().name);
-  for (const transport::AlgorithmFacts& algorithm : transport::kAlgorithms)
-    help += fmt::format("\n{:<16} {}", algorithm.name, algorithm.title);
-  return help;
-}
-
 void declare(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scene, "built-in ('heckbert scene list'), .json, .obj, Mitsuba .xml, or '-'")
       ->required();
@@ -73,9 +67,11 @@ void declare(CLI::App& command, RenderOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--cryptomatte", options.cryptomatte,
                    "Cryptomatte of the --lpe classes, else of all words, in the -o file");
-  command.add_option("--algorithm", options.algorithm, algorithm_help())->type_name("NAME");
+  command.add_option("--algorithm", options.algorithm, with_algorithms("how to trace (default: path):"))
+      ->type_name("NAME");
   command.add_flag("--json", options.json, "print what was done as JSON");
-  add_settings(command, options.flags, {Scope::Tracing, Scope::Rendering, Scope::Dialect, Scope::Glossy, Scope::Confidence});
+  add_settings(command, options.flags,
+               {Scope::Tracing, Scope::Rendering, Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
 constexpr const char* kExamples =

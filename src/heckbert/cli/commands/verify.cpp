@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/algorithms.h>
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
@@ -45,7 +46,8 @@ struct VerifyOptions {
 
 void declare(CLI::App& command, VerifyOptions& options) {
   add_scene_to_try(command, options.scene);
-  command.add_option("--algorithm", options.algorithms, "one to test (default: all); may be repeated")
+  command
+      .add_option("--algorithm", options.algorithms, with_algorithms("one to test (default: all); may be repeated:"))
       ->type_name("NAME")
       ->allow_extra_args(false);
   command.add_option("--reference", options.reference, "a record to compare with (default: rendered for this)")
@@ -74,17 +76,19 @@ constexpr const char* kExamples =
     "  heckbert verify room.json --reference room.paths.exr --json\n";
 
 /// The algorithms to test. Errors: UsageError for one that is not there or has no words to test.
-std::vector<const transport::AlgorithmFacts*> algorithms_of(const VerifyOptions& options) {
+std::vector<const transport::AlgorithmFacts*> algorithms_of(const VerifyOptions& options,
+                                                            const transport::Scene& scene) {
   std::vector<const transport::AlgorithmFacts*> chosen;
   for (const std::string& name : options.algorithms) {
     const transport::AlgorithmFacts& algorithm = choose_flag("--algorithm", name, transport::kAlgorithms);
     if (algorithm.accuracy == transport::Accuracy::NotLight)
       throw UsageError(fmt::format("--algorithm: {} shows no light of the scene, so there is nothing to verify", name));
+    if (!takes(algorithm, scene)) throw UsageError(fmt::format("--algorithm: {} knows no media", name));
     chosen.push_back(&algorithm);
   }
   if (chosen.empty())
     for (const transport::AlgorithmFacts& algorithm : transport::kAlgorithms)
-      if (algorithm.accuracy != transport::Accuracy::NotLight) chosen.push_back(&algorithm);
+      if (algorithm.accuracy != transport::Accuracy::NotLight && takes(algorithm, scene)) chosen.push_back(&algorithm);
   return chosen;
 }
 
@@ -148,9 +152,9 @@ report::Json to_json(const VerifyOptions& options, const transport::RenderSettin
 ExitCode run(const VerifyOptions& options) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
-  const std::vector<const transport::AlgorithmFacts*> algorithms = algorithms_of(options);
   const import::Imported imported = load_scene(options.scene);
   const transport::Scene& scene = imported.scene;
+  const std::vector<const transport::AlgorithmFacts*> algorithms = algorithms_of(options, scene);
   const transport::RenderSettings of_trials = settings_to_try(settings, scene.defaults);
   const std::vector<taxonomy::Symbol> lights = kinds_of_lights(scene);
   const taxonomy::Symbol eye = kind_of_eye(scene);
@@ -182,7 +186,7 @@ ExitCode run(const VerifyOptions& options) {
     const transport::RenderSettings reference =
         reference_settings(of_trials, options.reference_samples > 0 ? static_cast<int>(options.reference_samples)
                                                                     : kReferenceFactor * of_trials.samples_per_pixel);
-    const auto believed = trusted_algorithms(lights, eye);
+    const auto believed = trusted_algorithms(scene);
     const std::vector<taxonomy::Language> shares = shares_of(believed, lights, eye);
     for (std::size_t i = 0; i < believed.size(); ++i)
       if (!run_one(*believed[i], reference, predictions(shares[i]), trusted)) return ExitCode::Interrupted;
