@@ -78,12 +78,12 @@ inline void expect_energies(const record::Record& record, const std::map<std::st
   }
 }
 
-/// The algorithms that walk from the eye alone and whose grammar has the word, given light -> eye. Those that walk from
-/// the light too are compared with them in bidirectional_test.cpp.
+/// The unbiased algorithms that walk from the eye alone and whose grammar has the word, given light -> eye. Those that
+/// walk from the light too are compared with them in bidirectional_test.cpp.
 inline std::vector<AlgorithmFacts> algorithms_that_find(const std::string& word) {
   std::vector<AlgorithmFacts> found;
   for (const AlgorithmFacts& algorithm : kAlgorithms)
-    if (!algorithm.splats &&
+    if (!algorithm.splats && algorithm.accuracy == Accuracy::Unbiased &&
         taxonomy::builtin_grammars().find(algorithm.grammar)->language.contains(taxonomy::parse_word(word)))
       found.push_back(algorithm);
   return found;

@@ -16,6 +16,7 @@ std::string describe(const StrategyUse& use, const Cause& cause, bool has_measur
   std::string text =
       fmt::format("{} ({},{})", use.strategy.name, use.strategy.light_vertices, use.strategy.eye_vertices);
   if (!use.is_had) return text + ": not one of its techniques";
+  if (!use.measured && !cause.is_claimed) return text + ": a technique of its kind, but it builds no such path";
   if (!use.measured) return text + (has_measured ? ": has it, and found nothing by it" : ": has it");
   const MeasuredTechnique& measured = *use.measured;
   text += fmt::format(": {}, {} of the word", counted(measured.count, "path"),

@@ -34,13 +34,6 @@ std::string note(const WordFinding& word) {
     case Standing::Differs:
       text += fmt::format(": {} times that of {}, {}", factor(*word.ratio), word.witness,
                           errors(word.comparison.standard_errors));
-      if (word.worst_block) {
-        const BlockFinding& worst = *word.worst_block;
-        text += fmt::format("; in {} of {} blocks, most at pixels {} to {}, {} to {}: {:.4g} times",
-                            word.blocks_that_differ, word.blocks_compared, worst.pixels.x0, worst.pixels.x1 - 1,
-                            worst.pixels.y0, worst.pixels.y1 - 1,
-                            worst.comparison.found.mean / worst.comparison.expected.mean);
-      }
       return text;
     case Standing::Missing:
       return text + fmt::format(": {} has {} from {}, {}", word.witness, number(word.comparison.expected.mean),
@@ -54,6 +47,15 @@ std::string note(const WordFinding& word) {
       return text;
   }
   return text;
+}
+
+/// Where it differs most, on a line of its own.
+std::string where(const WordFinding& word) {
+  const BlockFinding& worst = *word.worst_block;
+  return fmt::format("  in {} of {} blocks of pixels; most at {} to {}, {} to {}: {:.4g} times",
+                     word.blocks_that_differ, word.blocks_compared, worst.pixels.x0, worst.pixels.x1 - 1,
+                     worst.pixels.y0, worst.pixels.y1 - 1,
+                     worst.comparison.found.mean / worst.comparison.expected.mean);
 }
 
 /// The heaviest words that need more samples than there is a budget for.
@@ -86,7 +88,9 @@ std::vector<std::string> notes(const AlgorithmVerdict& verdict, const VerdictOpt
     std::size_t count = 0;
     for (const WordFinding& word : verdict.words) {
       if (word.standing != standing.standing) continue;
-      if (++count <= most) lines.push_back(note(word));
+      if (++count > most) continue;
+      lines.push_back(note(word));
+      if (word.worst_block) lines.push_back(where(word));
     }
     if (count > most) lines.push_back(fmt::format("... and {} more", counted(count - most, "word")));
   }
