@@ -83,7 +83,7 @@ inline void expect_energies(const record::Record& record, const std::map<std::st
 inline std::vector<AlgorithmFacts> algorithms_that_find(const std::string& word) {
   std::vector<AlgorithmFacts> found;
   for (const AlgorithmFacts& algorithm : kAlgorithms)
-    if (!algorithm.splats && algorithm.accuracy == Accuracy::Unbiased &&
+    if (!algorithm.from_light && algorithm.accuracy == Accuracy::Unbiased &&
         taxonomy::builtin_grammars().find(algorithm.grammar)->language.contains(taxonomy::parse_word(word)))
       found.push_back(algorithm);
   return found;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <heckbert/transport/continuation.h>
+#include <heckbert/transport/joint.h>
 #include <heckbert/transport/light_to_eye.h>
 #include <heckbert/transport/light_walk.h>
 
@@ -67,7 +68,7 @@ class EyeWalk {
       if (vertex.has_non_delta) {
         join_light(at);
         for (std::size_t i = 0; i < light_.vertices.size() && depth + static_cast<int>(i) + 2 <= world_.max_depth; ++i)
-          join(at, i);
+          join_vertex(at, i);
       }
       const Continuation next = follow(vertex, walk_.sampler);
       throughput *= next.factor;
@@ -172,45 +173,19 @@ class EyeWalk {
   }
 
   /// s > 1, with the vertex of this number on the walk from the light.
-  void join(const EyeVertex& at, std::size_t number) {
+  void join_vertex(const EyeVertex& at, std::size_t number) {
     const LightVertex& other = light_.vertices[number];
-    if (!other.vertex.has_non_delta) return;
-    const Hit &here = at.vertex.hit, &there = other.hit;
-    const glm::vec3 edge = there.position - here.position;
-    const float squared_distance = glm::dot(edge, edge);
-    if (!(squared_distance > 0)) return;
-    const glm::vec3 direction = edge / std::sqrt(squared_distance);
-    const glm::vec3 wi = at.vertex.local(direction);
-    if (wi.z == 0 || (wi.z < 0 && !at.vertex.transmits)) return;
-    const Vertex::Values values = at.vertex.values(wi);
-    if (!(values.pdf_solid_angle > 0)) return;
-    const Scattering scattering = scatter(world_.scene, other, -direction);
-    if (!(scattering.pdf_to_light > 0)) return;
-
-    const float cos_here = cosine(here, direction), cos_there = cosine(there, direction);
-    const auto pdf_there = static_cast<double>(values.pdf_solid_angle * cos_there / squared_distance);
-    const auto pdf_here = static_cast<double>(scattering.pdf_to_eye * cos_here / squared_distance);
-    const double others = other.rivals.sum(pdf_there, static_cast<double>(scattering.pdf_to_light)) +
-                          at.rivals.sum(pdf_here, reverse_pdf(at, direction));
-    const Rgb carried = at.throughput * other.throughput *
-                        (std::abs(wi.z) * cos_there / squared_distance * static_cast<float>(weight_against(others)));
-    if (is_black(carried)) return;
-    ++walk_.rays;
-    const bool to_front = glm::dot(direction, here.normal_geometric) > 0;
-    const bool from_front = glm::dot(direction, there.normal_geometric) < 0;
-    if (world_.tracer.is_occluded(leave(here, to_front), leave(there, from_front))) return;
-
-    const std::span<const Lobe> lobes = at.vertex.lobes();
-    const Technique technique{static_cast<std::uint16_t>(number + 2)};
-    for (std::size_t i = 0; i < lobes.size(); ++i) {
-      if (is_black(values.f[i])) continue;
-      const WordTrie::Node node = walk_.step(at.node, letter(lobes[i], wi.z < 0), world_.labels.surface(here));
-      for (std::size_t j = 0; j < scattering.lobes; ++j) {
-        if (is_black(scattering.f[j])) continue;
-        const WordTrie::Node joined = walk_.step(node, scattering.letters[j], world_.labels.surface(there));
-        walk_.find({spell(world_, walk_, joined, light_, number), carried * values.f[i] * scattering.f[j], technique});
-      }
-    }
+    const std::optional<Joint> joint = join(world_.scene, at.vertex, other);
+    if (!joint) return;
+    const float d2 = joint->squared_distance;
+    const float cos_here = cosine(at.vertex.hit, joint->direction);
+    const auto pdf_there = static_cast<double>(joint->here.pdf_solid_angle * joint->cos_there / d2);
+    const auto pdf_here = static_cast<double>(joint->there.pdf_to_eye * cos_here / d2);
+    const double others = other.rivals.sum(pdf_there, static_cast<double>(joint->there.pdf_to_light)) +
+                          at.rivals.sum(pdf_here, reverse_pdf(at, joint->direction));
+    const float geometry = std::abs(joint->wi.z) * joint->cos_there / d2;
+    add_joint(world_, walk_, at.vertex, at.node, light_, number, *joint,
+              at.throughput * other.throughput * (geometry * static_cast<float>(weight_against(others))));
   }
 
   /// With which a walk that comes from `to_light` would leave this vertex for the one before.
@@ -227,7 +202,7 @@ class EyeWalk {
 
 void trace_bidirectionally(const World& world, Walk& walk, Ray ray) {
   Sampler sampler = walk.sampler.split();
-  const LightWalk light = walk_from_light(world, walk, sampler);
+  const LightWalk light = walk_from_light(world, walk.rays, sampler);
   splat(world, walk, light, sampler, Rivalry::All);
   EyeWalk(world, walk, light).trace(ray);
 }

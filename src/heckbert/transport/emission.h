@@ -40,6 +40,8 @@ class Emission {
   Emission(const Scene& scene, const Tracer& tracer, const Lights& lights, glm::vec3 eye, float eye_radius);
 
   bool empty() const { return choice_.empty(); }
+  /// Of a ball around the scene and the eye.
+  float radius() const { return radius_; }
   /// Nothing when the draw sends no light, or there is none.
   std::optional<Emitted> sample(Sampler& sampler) const;
   /// What sample() would have made of the edge that leaves an area light's `place` along `direction`.

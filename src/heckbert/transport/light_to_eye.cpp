@@ -1,6 +1,5 @@
 #include <heckbert/transport/light_to_eye.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -56,13 +55,12 @@ class Splatting {
   /// t = 1, from the vertex with this number.
   void vertex(std::size_t number) {
     const LightVertex& at = light_.vertices[number];
-    if (!at.vertex.has_non_delta) return;
+    if (!can_be_joined(at)) return;
     const std::optional<Seen> seen = see(at.hit.position);
     if (!seen) return;
     const glm::vec3 to_eye = -seen->sight.direction;
     const Scattering scattering = scatter(world_.scene, at, to_eye);
-    const bool is_lit = std::ranges::any_of(scattering.f, [](Rgb f) { return !is_black(f); });
-    if (!is_lit) return;
+    if (scattering.is_black()) return;
     const bool to_front = glm::dot(to_eye, at.hit.normal_geometric) > 0;
     if (is_hidden(leave(at.hit, to_front), seen->sight)) return;
     const float cosine = std::abs(glm::dot(at.hit.normal_geometric, to_eye));

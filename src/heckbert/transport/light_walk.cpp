@@ -116,10 +116,12 @@ bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_s
   return glm::distance(normal, vertex.frame.n) < kSame;
 }
 
+bool can_be_joined(const LightVertex& at) {
+  return std::ranges::any_of(at.vertex.material->lobes, [](const Lobe& lobe) { return !is_delta(lobe); });
+}
+
 Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) {
   Scattering result;
-  const glm::vec3 out = at.vertex.local(to_eye);
-  if (out.z == 0) return result;
   const Hit seen = seen_from(at.hit, to_eye);
   const Vertex from_eye(scene, seen, -to_eye);
   const glm::vec3 wi = from_eye.local(at.to_light);
@@ -133,7 +135,8 @@ Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) 
     result.letters[i] = letter(lobes[i], wi.z < 0);
   }
   result.pdf_to_light = values.pdf_solid_angle;
-  result.pdf_to_eye = at.vertex.values(out).pdf_solid_angle;
+  if (const glm::vec3 out = at.vertex.local(to_eye); out.z != 0)
+    result.pdf_to_eye = at.vertex.values(out).pdf_solid_angle;
   return result;
 }
 
@@ -144,7 +147,7 @@ float pdf_from_light(const Scene& scene, const Hit& hit, glm::vec3 to_light, glm
   return out.z == 0 ? 0.0f : vertex.values(out).pdf_solid_angle;
 }
 
-LightWalk walk_from_light(const World& world, Walk& walk, Sampler& sampler) {
+LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler) {
   LightWalk light{.start = world.emission.sample(sampler)};
   if (!light.start) return light;
   const Emitted& start = *light.start;
@@ -158,7 +161,7 @@ LightWalk walk_from_light(const World& world, Walk& walk, Sampler& sampler) {
     return rivals_after(light.vertices.back().rivals, step);
   };
   for (;;) {
-    ++walk.rays;
+    ++rays;
     const std::optional<Hit> hit = world.tracer.intersect(ray);
     const float farthest = hit ? glm::distance(hit->position, ray.origin) : std::numeric_limits<float>::infinity();
     if (const std::optional<Sight> sight = world.eye.sight_met_by(ray, farthest)) {

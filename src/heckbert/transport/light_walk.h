@@ -25,6 +25,7 @@
 // the density of either direction counts as one and near_(i-1) as zero. The walk from the eye keeps the same two
 // numbers.
 
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -95,18 +96,24 @@ struct LightWalk {
 };
 
 /// Walks from a light until the light is absorbed, leaves, or has scattered so often that the path is full; ended by
-/// roulette as walks from the eye are. Takes a scene without bodies.
-LightWalk walk_from_light(const World& world, Walk& walk, Sampler& sampler);
+/// roulette as walks from the eye are. Counts its rays. Takes a scene without bodies.
+LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler);
 
 /// Is the vertex shaded with the same normal when it is seen from the other side of the event? Nearly always; where it
 /// is not, the walk from the other end has no such Dirac.
 bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side);
+
+/// Has its surface a lobe without a Dirac, on whichever side?
+bool can_be_joined(const LightVertex& vertex);
 
 /// A surface in the light of a walk as a place beyond it sees it.
 struct Scattering {
   std::array<Rgb, kMaxLobes> f{};  ///< of each lobe, per projected solid angle of the geometric normal
   std::array<taxonomy::Symbol, kMaxLobes> letters{};  ///< of each lobe
   std::size_t lobes = 0;
+  bool is_black() const {
+    return std::ranges::all_of(f, [](Rgb value) { return heckbert::is_black(value); });
+  }
   float pdf_to_light = 0;  ///< with which a walk from the eye would go on to the vertex before; per steradian
   float pdf_to_eye = 0;    ///< with which this walk would go on that way
 };

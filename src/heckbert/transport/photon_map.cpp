@@ -9,8 +9,8 @@ struct PhotonMap::Tree {
   // What nanoflann asks of a set of points.
   const std::vector<Photon>& photons;
   std::size_t kdtree_get_point_count() const { return photons.size(); }
-  float kdtree_get_pt(std::size_t index, std::size_t axis) const {
-    return photons[index].position[static_cast<glm::length_t>(axis)];
+  float kdtree_get_pt(std::size_t number, std::size_t axis) const {
+    return photons[number].position[static_cast<glm::length_t>(axis)];
   }
   template <class Box>
   bool kdtree_get_bbox(Box&) const {
@@ -35,7 +35,7 @@ struct PhotonMap::Row {
     ways.push_back({.event = {light.start->kind, world.labels.light(light.start->source)}});
     for (std::size_t i = 0; i < light.vertices.size(); ++i) {
       const LightVertex& at = light.vertices[i];
-      if (at.vertex.has_non_delta)
+      if (can_be_joined(at))
         photons.push_back({at.hit.position, at.to_light, at.hit.normal_geometric, at.throughput, way,
                            static_cast<std::uint16_t>(i + 1)});
       if (i == light.events.size()) break;
@@ -89,7 +89,6 @@ PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, flo
       if (way.before != kNone) way.before += first;
       ways_.push_back(way);
     }
-    rays_ += row.rays;
     row = {};
   }
   tree_ = std::make_unique<Tree>(photons_);

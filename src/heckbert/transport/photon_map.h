@@ -33,7 +33,6 @@ class PhotonMap {
 
   float radius() const { return radius_; }
   std::size_t size() const { return photons_.size(); }
-  std::uint64_t rays() const { return rays_; }
   /// All photons near a place, in no certain order; replaces what `found` had.
   void find(glm::vec3 position, std::vector<const Photon*>& found) const;
   /// The word of a path whose part up to and with the photon's surface is spelt at `node`.
@@ -52,7 +51,6 @@ class PhotonMap {
   float radius_;
   std::vector<Photon> photons_;
   std::vector<Way> ways_;
-  std::uint64_t rays_ = 0;
   std::unique_ptr<Tree> tree_;
 };
 

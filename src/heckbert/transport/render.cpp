@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -18,7 +19,9 @@
 #include <heckbert/record/recorder.h>
 #include <heckbert/record/sums.h>
 #include <heckbert/transport/filter.h>
+#include <heckbert/transport/instant_radiosity.h>
 #include <heckbert/transport/material.h>
+#include <heckbert/transport/photon_map.h>
 #include <heckbert/transport/scene_hash.h>
 #include <heckbert/transport/stage.h>
 #include <heckbert/transport/travel.h>
@@ -63,11 +66,14 @@ void check(const Scene& scene, const RenderSettings& settings) {
   require(settings.skip.empty() || settings.skip.size() == w.pixel_count(),
           "the pixels to skip must be those of the window");
   const AlgorithmFacts& algorithm = facts(settings.algorithm);
-  require(!settings.sample_map || !algorithm.splats,
+  require(!settings.sample_map || !algorithm.from_light,
           fmt::format("a sample map is for walks from the eye alone; {} has others", algorithm.title));
+  require(settings.skip.empty() || !algorithm.passes,
+          fmt::format("{} goes over the whole picture for each sample number: it skips no pixels", algorithm.title));
+  require(settings.merge_radius > 0, "the radius within which photons are near must be above 0");
   for (const Material& material : scene.materials) check_material(scene, material);
   check_media(scene);
-  require(algorithm.media || !has_bodies(scene),
+  require(!algorithm.from_light || !has_bodies(scene),
           fmt::format("{} takes no scenes with media, index-matched boundaries or materials with an interior",
                       algorithm.title));
 }
@@ -113,6 +119,35 @@ class ProgressMeter {
   std::chrono::steady_clock::time_point last_ = start_;
 };
 
+/// Within which photons are near, for a sample number: shrinking by the rule of Georgiev et al. 2012 (equation 20), or
+/// the same for all.
+float merge_radius(const RenderSettings& settings, const World& world, int sample) {
+  constexpr float kAlpha = 0.75f;
+  const float first = settings.merge_radius * world.emission.radius();
+  if (settings.algorithm == AlgorithmId::PhotonMap) return first;
+  return first * std::pow(static_cast<float>(sample + 1), 0.5f * (kAlpha - 1.0f));
+}
+
+/// What a pass needs, and gives to the world of that pass.
+class Preparation {
+ public:
+  Preparation(World& world, const RenderSettings& settings, const SamplePlan& plan, int sample) {
+    if (settings.algorithm == AlgorithmId::PhotonMap || settings.algorithm == AlgorithmId::ProgressivePhotons) {
+      photons_.emplace(world, plan, sample, merge_radius(settings, world, sample));
+      world.photons = &*photons_;
+    } else {
+      lights_ = virtual_lights(world, plan, sample);
+      world.virtual_lights = &lights_;
+    }
+  }
+  Preparation(const Preparation&) = delete;
+  Preparation& operator=(const Preparation&) = delete;
+
+ private:
+  std::optional<PhotonMap> photons_;
+  std::deque<LightWalk> lights_;
+};
+
 /// Traces every tile of the picture. `make_worker()` is called once per thread; a worker has sink(), begin(tile),
 /// end(), and finish() for the end of its work.
 /// Gives back whether the whole picture was done.
@@ -123,20 +158,21 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
       settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const Stage stage(scene, settings);
-  const World& world = stage.world();
-
   const Window window = picture_window(settings);
   const std::vector<Window> tiles = tiles_of(window);
-  const record::SampleRange samples = samples_of(settings);
   const auto skips = [&](int x, int y) {
     return !settings.skip.empty() &&
            settings.skip[static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
                          static_cast<std::size_t>(x - window.x0)];
   };
-  const std::size_t pixel_count =
+  // All samples in one pass, or one pass for each sample number.
+  const record::SampleRange samples = samples_of(settings);
+  const bool by_passes = facts(settings.algorithm).passes;
+  const std::size_t pixels_per_pass =
       window.pixel_count() - static_cast<std::size_t>(std::ranges::count(settings.skip, true));
+  const std::size_t pixel_count = pixels_per_pass * static_cast<std::size_t>(by_passes ? samples.count() : 1);
   ProgressMeter meter(hooks, pixel_count);
-  std::atomic<std::size_t> next_tile{0}, pixels_done{0};
+  std::atomic<std::size_t> pixels_done{0};
   const auto stopped = [&] { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); };
 
   // A repeated sample is as good as one of another render.
@@ -145,47 +181,58 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
     return SamplePlan{settings.sampler, settings.seed ^ (static_cast<std::uint64_t>(repeat) * kGoldenRatio),
                       settings.samples_per_pixel};
   };
-  const auto work = [&](const tbb::blocked_range<int>&) {
-    auto worker = make_worker();
-    record::PathSink& sink = worker.sink();
-    world.labels.number_in(sink.words());
-    std::vector<record::Contribution> found;
-    const auto trace_sample = [&](const SamplePlan& plan, int x, int y, int sample) {
-      Walk walk{.sink = sink,
-                .found = found,
-                .sampler = Sampler(plan, x, y, sample),
-                .wants_words = wants_words,
-                .bodies = world.bodies_at_eye};
-      sink.begin_sample(x, y, sample);
-      found.clear();
-      trace(world, walk, world.eye.ray(x, y, walk.sampler), settings.algorithm);
-      sink.add(found);
-      if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
-      return walk.rays;
-    };
-    for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
-      const Window& tile = tiles[number];
-      std::uint64_t rays = 0;
-      std::size_t pixels = 0;
-      worker.begin(tile);
-      for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1 && !stopped(); ++x) {
-          if (skips(x, y)) continue;
-          ++pixels;
-          const int repeats = settings.sample_map ? settings.sample_map->at(x, y) : 1;
-          for (int repeat = 0; repeat < repeats; ++repeat) {
-            const SamplePlan plan = plan_of(repeat);
-            for (int sample = samples.first; sample < samples.last; ++sample) rays += trace_sample(plan, x, y, sample);
+  const auto trace_pass = [&](const World& world, int first, int last) {
+    std::atomic<std::size_t> next_tile{0};
+    const auto work = [&](const tbb::blocked_range<int>&) {
+      auto worker = make_worker();
+      record::PathSink& sink = worker.sink();
+      world.labels.number_in(sink.words());
+      std::vector<record::Contribution> found;
+      const auto trace_sample = [&](const SamplePlan& plan, int x, int y, int sample) {
+        Walk walk{.sink = sink,
+                  .found = found,
+                  .sampler = Sampler(plan, x, y, sample),
+                  .wants_words = wants_words,
+                  .bodies = world.bodies_at_eye};
+        sink.begin_sample(x, y, sample);
+        found.clear();
+        trace(world, walk, world.eye.ray(x, y, walk.sampler), settings.algorithm);
+        sink.add(found);
+        if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
+        return walk.rays;
+      };
+      for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
+        const Window& tile = tiles[number];
+        std::uint64_t rays = 0;
+        std::size_t pixels = 0;
+        worker.begin(tile);
+        for (int y = tile.y0; y < tile.y1; ++y)
+          for (int x = tile.x0; x < tile.x1 && !stopped(); ++x) {
+            if (skips(x, y)) continue;
+            ++pixels;
+            const int repeats = settings.sample_map ? settings.sample_map->at(x, y) : 1;
+            for (int repeat = 0; repeat < repeats; ++repeat) {
+              const SamplePlan plan = plan_of(repeat);
+              for (int sample = first; sample < last; ++sample) rays += trace_sample(plan, x, y, sample);
+            }
           }
-        }
-      worker.end();
-      pixels_done += pixels;
-      meter.advance(pixels, rays);
-    }
-    worker.finish();
+        worker.end();
+        pixels_done += pixels;
+        meter.advance(pixels, rays);
+      }
+      worker.finish();
+    };
+    tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner());
   };
   tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner()); });
+  arena.execute([&] {
+    if (!by_passes) return trace_pass(stage.world(), samples.first, samples.last);
+    for (int sample = samples.first; sample < samples.last && !stopped(); ++sample) {
+      World world = stage.world();
+      const Preparation preparation(world, settings, plan_of(0), sample);
+      trace_pass(world, sample, sample + 1);
+    }
+  });
   return pixels_done == pixel_count;
 }
 
@@ -237,13 +284,13 @@ bool render_tiles(const Scene& scene, const RenderSettings& settings, const Rend
   const record::RenderInfo info = info_of(scene, settings);
   std::mutex mutex;
   /// Where walks splat, finished tiles wait for the splats that were made with them, and both go together, so that
-  /// what was handed over is always what some number of whole samples found.
+  /// what was handed over is always what some number of whole samples found. Tiles of many passes wait for each other.
   struct Worker {
     using Clock = std::chrono::steady_clock;
     record::TileRecorder recorder;
     const std::function<void(record::Tile)>& take;
     std::mutex& mutex;
-    bool splats;
+    bool overlaps;
     Window window;
     std::vector<record::Tile> waiting{};
     Clock::time_point last = Clock::now();
@@ -251,7 +298,7 @@ bool render_tiles(const Scene& scene, const RenderSettings& settings, const Rend
     record::PathSink& sink() { return recorder; }
     void begin(const Window& tile) { recorder.begin_tile(tile); }
     void end() {
-      if (!splats) return hand_over(recorder.end_tile());
+      if (!overlaps) return hand_over(recorder.end_tile());
       waiting.push_back(recorder.end_tile());
       if (Clock::now() - last >= kLongestWait) finish();
     }
@@ -268,13 +315,13 @@ bool render_tiles(const Scene& scene, const RenderSettings& settings, const Rend
   };
   return trace_tiles(scene, settings, hooks, true, [&] {
     return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), take, mutex,
-                  facts(settings.algorithm).splats, info.window};
+                  facts(settings.algorithm).from_light, info.window};
   });
 }
 
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
   check(scene, settings);
-  if (facts(settings.algorithm).splats) {
+  if (facts(settings.algorithm).from_light) {
     std::vector<record::Tile> tiles;
     const bool complete =
         render_tiles(scene, settings, hooks, [&](record::Tile tile) { tiles.push_back(std::move(tile)); });

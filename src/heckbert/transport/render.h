@@ -24,6 +24,10 @@ enum class AlgorithmId : std::uint8_t {
   PathNextEvent,
   Light,
   Bidirectional,
+  PhotonMap,
+  ProgressivePhotons,
+  InstantRadiosity,
+  InstantRadiosityClamped,
   Whitted,
   Lecture,
   Distribution,
@@ -55,8 +59,11 @@ struct AlgorithmFacts {
   std::string_view name;     ///< as on the command line
   std::string_view grammar;  ///< the grammar that predicts its words
   std::string_view title;
-  bool media = true;    ///< takes scenes with media, and with bodies in one another
-  bool splats = false;  ///< walks from the light too, whose paths may end at any pixel
+  /// It walks from the light too. Such an algorithm takes no scenes with media or bodies in one another, and its paths
+  /// are not traced again.
+  bool from_light = false;
+  bool splats = false;  ///< what it finds may be for any pixel
+  bool passes = false;  ///< each sample number is a pass over the picture, before which all pixels' light is prepared
   Accuracy accuracy = Accuracy::Unbiased;
   Reach reach = Reach::Eye;
 };
@@ -78,15 +85,47 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .name = "light",
      .grammar = "light-tracing",
      .title = "light tracing",
-     .media = false,
+     .from_light = true,
      .splats = true,
      .reach = Reach::Light},
     {.id = AlgorithmId::Bidirectional,
      .name = "bidirectional",
      .grammar = "bidirectional-path-tracing",
      .title = "bidirectional path tracing",
-     .media = false,
+     .from_light = true,
      .splats = true,
+     .reach = Reach::Both},
+    {.id = AlgorithmId::PhotonMap,
+     .name = "photon-map",
+     .grammar = "photon-map-direct",
+     .title = "photon map, looked at directly",
+     .from_light = true,
+     .passes = true,
+     .accuracy = Accuracy::Consistent,
+     .reach = Reach::Merging},
+    {.id = AlgorithmId::ProgressivePhotons,
+     .name = "sppm",
+     .grammar = "progressive-photon-mapping",
+     .title = "stochastic progressive photon mapping",
+     .from_light = true,
+     .passes = true,
+     .accuracy = Accuracy::Consistent,
+     .reach = Reach::Merging},
+    {.id = AlgorithmId::InstantRadiosity,
+     .name = "vpl",
+     .grammar = "instant-radiosity",
+     .title = "instant radiosity",
+     .from_light = true,
+     .passes = true,
+     .accuracy = Accuracy::Unbiased,
+     .reach = Reach::Both},
+    {.id = AlgorithmId::InstantRadiosityClamped,
+     .name = "vpl-clamped",
+     .grammar = "instant-radiosity",
+     .title = "instant radiosity, near virtual lights clamped",
+     .from_light = true,
+     .passes = true,
+     .accuracy = Accuracy::Biased,
      .reach = Reach::Both},
     {AlgorithmId::Whitted, "whitted", "whitted", "Whitted's recursive ray tracer"},
     {AlgorithmId::Lecture, "lecture", "lecture", "the lecture's recursive ray tracer"},
@@ -117,7 +156,8 @@ struct RenderSettings {
   std::vector<bool> skip{};    ///< by pixel of the window, row by row: not to be traced; empty: all are
   int max_depth = 32;          ///< most scatterings per path
   std::uint64_t seed = 1;
-  int threads = 0;                                ///< 0: all cores
+  int threads = 0;             ///< 0: all cores
+  float merge_radius = 0.01f;  ///< within which photons are near, of the radius of scene and eye; progressive: at first
   std::optional<record::SampleMap> sample_map{};  ///< for the window; unset: every pixel once
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;
@@ -151,9 +191,9 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings);
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks = {});
 
 /// Traces the scene and hands over sums as tiles are finished: in no certain order, from tracing threads, one at a
-/// time. Tiles of an algorithm that splats are as large as the picture and overlap: they add up (record/sums.h); until
-/// the last one is there, splats of walks not yet made are missing. Those of other algorithms are apart. Gives back
-/// whether it was not stopped. Errors: as render().
+/// time. Tiles of an algorithm that splats or goes by passes are as large as the picture and overlap: they add up
+/// (record/sums.h); until the last one is there, splats of walks not yet made are missing. Those of other algorithms
+/// are apart. Gives back whether it was not stopped. Errors: as render().
 bool render_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks,
                   const std::function<void(record::Tile)>& take);
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <heckbert/record/record.h>
 #include <heckbert/transport/stage.h>
 
@@ -23,9 +25,11 @@ class SpellingSink final : public record::PathSink {
 }  // namespace
 
 std::vector<RetracedPath> retrace(const Scene& scene, const RenderSettings& settings, int x, int y) {
-  if (facts(settings.algorithm).splats)
+  if (facts(settings.algorithm).from_light)
     throw std::invalid_argument(
-        "walks from the light bring paths to a pixel from every sample of the picture: they are not traced again");
+        fmt::format("{} walks from the light too: which of these walks brought paths to a pixel "
+                    "was not kept, and none is traced again",
+                    facts(settings.algorithm).title));
   const Stage stage(scene, settings);
   const World& world = stage.world();
   SpellingSink sink;

@@ -21,8 +21,7 @@ struct RetracedPath {
 
 /// All paths that the render found at a pixel, by sample; what the recorder rejects is left out. Takes the settings of
 /// that render, without a sample map. Cost: that of the pixel's samples, and of making the scene ready.
-/// Errors: as render(), and std::invalid_argument for an algorithm that splats: paths of a pixel may come from any
-/// sample.
+/// Errors: as render(), and std::invalid_argument for an algorithm that walks from the light.
 std::vector<RetracedPath> retrace(const Scene& scene, const RenderSettings& settings, int x, int y);
 
 }  // namespace heckbert::transport

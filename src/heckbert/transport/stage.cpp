@@ -3,14 +3,23 @@
 #include <heckbert/transport/ambient_occlusion.h>
 #include <heckbert/transport/bidirectional.h>
 #include <heckbert/transport/fault.h>
+#include <heckbert/transport/instant_radiosity.h>
 #include <heckbert/transport/light_tracer.h>
 #include <heckbert/transport/local_shading.h>
 #include <heckbert/transport/path_tracer.h>
+#include <heckbert/transport/photon_tracer.h>
 #include <heckbert/transport/ray_casting.h>
 #include <heckbert/transport/recursive_tracer.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
+
+namespace {
+
+/// Of the radius of scene and eye: nearer virtual lights send as if they were that far.
+constexpr float kClampedDistance = 0.1f;
+
+}  // namespace
 
 Stage::Stage(const Scene& scene, const RenderSettings& settings)
     : tracer_(scene),
@@ -43,6 +52,13 @@ void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm
       return trace_from_light(world, walk);
     case AlgorithmId::Bidirectional:
       return trace_bidirectionally(world, walk, ray);
+    case AlgorithmId::PhotonMap:
+    case AlgorithmId::ProgressivePhotons:
+      return trace_to_photons(world, walk, ray);
+    case AlgorithmId::InstantRadiosity:
+      return trace_to_virtual_lights(world, walk, ray, 0);
+    case AlgorithmId::InstantRadiosityClamped:
+      return trace_to_virtual_lights(world, walk, ray, kClampedDistance * world.emission.radius());
     case AlgorithmId::Whitted:
       return trace_recursively(world, walk, ray, {});
     case AlgorithmId::Lecture:

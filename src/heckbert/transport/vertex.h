@@ -3,6 +3,7 @@
 // followed. The two integrators share it, and with it the one place where direct light is gathered lobe by lobe.
 
 #include <array>
+#include <deque>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,6 +24,8 @@ namespace heckbert::transport {
 
 class Emission;
 enum class Fault : std::uint8_t;  // fault.h
+class PhotonMap;
+struct LightWalk;
 
 /// A scene ready to be traced.
 struct World {
@@ -38,6 +41,9 @@ struct World {
   record::Window window{};  ///< the part of the picture that is traced
   float pixel_share = 1;    ///< one over the number of its pixels
   Fault fault{};            ///< none, but in tests
+  /// Of the sample number under way, for algorithms that use them.
+  const PhotonMap* photons = nullptr;
+  const std::deque<LightWalk>* virtual_lights = nullptr;
 };
 
 /// What one camera sample carries along.

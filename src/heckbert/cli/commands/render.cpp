@@ -254,6 +254,9 @@ TracingJob job_of(const RenderOptions& options, const Settings& settings, const 
     if (!job.resume.empty()) job.resume = name_of_part(job.resume, render.part);
     if (!std::filesystem::exists(job.resume)) job.resume.clear();
   }
+  if (transport::facts(render.algorithm).passes && (job.checkpoint || !job.resume.empty()))
+    throw UsageError(fmt::format(
+        "--algorithm {} goes over the whole picture again and again: no --checkpoint, no --resume", options.algorithm));
   if (job.checkpoint && (job.keep.empty() || job.keep == "-"))
     throw UsageError("--checkpoint needs a file to write to: --record FILE.paths.exr");
   return job;
@@ -308,7 +311,7 @@ ExitCode run(const RenderOptions& options) {
   bool is_done = false;
   // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks and what walks from the
   // light find; all else is let go tile by tile.
-  if (transport::facts(render.algorithm).splats || options.exact || options.cryptomatte || job.checkpoint ||
+  if (transport::facts(render.algorithm).from_light || options.exact || options.cryptomatte || job.checkpoint ||
       !job.resume.empty() || render.part.of > 1) {
     sums = trace(imported.scene, job, console, interrupt.stop(), work);
     if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
