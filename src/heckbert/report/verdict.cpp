@@ -174,16 +174,28 @@ class Judge {
   }
 
  private:
-  double quantile(const Trial& trial) const { return trial.evidence->statistics(options_.confidence).quantile(); }
+  /// What every comparison asks of the evidence; finding it out takes a look at all words.
+  struct Known {
+    record::BatchStatistics statistics;
+    double mean_contribution = 0;
+  };
+  const Known& known(const Evidence& evidence) const {
+    const auto place = known_.find(&evidence);
+    if (place != known_.end()) return place->second;
+    return known_.emplace(&evidence, Known{evidence.statistics(options_.confidence), evidence.mean_contribution()})
+        .first->second;
+  }
+
+  double quantile(const Trial& trial) const { return known(*trial.evidence).statistics.quantile(); }
 
   Comparison comparison_of(const Trial& trial, const Evidence* witness, const Series& expected,
                            const Series& found) const {
-    const double size_found = found.count == 0 ? trial.evidence->mean_contribution() : 0;
-    const record::Estimate of_found = trial.evidence->statistics(options_.confidence).energy(found.values, size_found);
+    const double size_found = found.count == 0 ? known(*trial.evidence).mean_contribution : 0;
+    const record::Estimate of_found = known(*trial.evidence).statistics.energy(found.values, size_found);
     if (witness == nullptr) return {{}, of_found};
-    const double size_expected = expected.count == 0 ? witness->mean_contribution() : 0;
-    return compare(witness->statistics(options_.confidence).energy(expected.values, size_expected), witness->batches(),
-                   of_found, trial.evidence->batches());
+    const double size_expected = expected.count == 0 ? known(*witness).mean_contribution : 0;
+    return compare(known(*witness).statistics.energy(expected.values, size_expected), witness->batches(), of_found,
+                   trial.evidence->batches());
   }
 
   /// Agrees stands for "can be compared" until the number of comparisons is known.
@@ -234,7 +246,7 @@ class Judge {
   /// One of its paths is supposed to be as bright as the witness's are on average, or as the trial's own.
   bool is_surely_missing(const Trial& trial, const WordFinding& word, double level) const {
     const double size = std::max(word.comparison.expected.mean / static_cast<double>(word.expected_count),
-                                 trial.evidence->mean_contribution());
+                                 known(*trial.evidence).mean_contribution);
     return trial.evidence->statistics(1 - level).energy({}, size).upper < word.comparison.expected.lower;
   }
 
@@ -293,6 +305,7 @@ class Judge {
   const std::vector<Witness>& witnesses_;
   const VerdictOptions& options_;
   std::size_t comparisons_ = 0;
+  mutable std::map<const Evidence*, Known> known_;
 };
 
 }  // namespace
