@@ -53,7 +53,7 @@ std::vector<taxonomy::Language> compiled(std::size_t count) {
 }
 
 void ask(const record::Record& record, const std::vector<taxonomy::Language>& languages) {
-  const auto sums = report::Energies(record, 0.95).of_sets(record::members(record, languages));
+  const auto sums = report::Energies(record, 0.95).of_outcomes(record::outcomes(record, languages), languages.size());
   if (sums.size() != languages.size()) std::abort();
 }
 

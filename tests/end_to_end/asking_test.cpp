@@ -47,10 +47,8 @@ TEST(Asking, EntropyOfTheFurnaceIsItsClosedForm) {
   EXPECT_NEAR(lengths.entropy.mean, by_length, bound * lengths.entropy.standard_error);
 }
 
-// Shares of a region have intervals from counts, which know how much contributions vary in the picture but not where.
-// Over 200 seeds, intervals at 95 % held the truth 177, 186, 191 and 186 times (of the whole picture: 191, 188, 193 and
-// 193): LDE varies more in the corners of this region than elsewhere. A binomial count of 190 has a standard deviation
-// of 3. At least 180 are asked for; LDE alone falls short, and its bound only keeps it from getting worse.
+// Shares of a region have intervals from counts and from the noise of the picture; energies.h says how. 95 % intervals,
+// 200 seeds; a binomial count of 190 has a standard deviation of 3.
 TEST(Asking, IntervalsOfARegionHoldTheTruthMostOfTheTime) {
   constexpr int kSeeds = 200, kLongest = 12;
   const transport::Scene scene = import::load_scene_or_builtin("furnace").scene;
@@ -58,10 +56,9 @@ TEST(Asking, IntervalsOfARegionHoldTheTruthMostOfTheTime) {
   struct Row {
     const char* expression;
     double energy;
-    int at_least = 180;
     int held = 0;
   };
-  std::array<Row, 4> rows{{{"LDE", 0.5, 170}, {"LD+E", 1 - std::pow(0.5, kLongest)}, {"LSSE", 0.09}, {"LSSSE", 0.027}}};
+  std::array<Row, 4> rows{{{"LDE", 0.5}, {"LD+E", 1 - std::pow(0.5, kLongest)}, {"LSSE", 0.09}, {"LSSSE", 0.027}}};
   for (int seed = 1; seed <= kSeeds; ++seed) {
     const record::Record record = transport::render(scene, {.width = 16,
                                                             .height = 16,
@@ -83,7 +80,7 @@ TEST(Asking, IntervalsOfARegionHoldTheTruthMostOfTheTime) {
     }
   }
   for (const Row& row : rows) {
-    EXPECT_GE(row.held, row.at_least) << row.expression;
+    EXPECT_GE(row.held, 180) << row.expression;
     EXPECT_LE(row.held, 198) << row.expression;
   }
 }

@@ -112,6 +112,32 @@ TEST(Html, LinksLeadToPlacesOnThePage) {
   for (const std::string& link : links) EXPECT_EQ(count_of(text, "id=\"" + link + '"'), 1u) << link;
 }
 
+TEST(Html, SaysWhichPartTheNumbersAreAbout) {
+  const record::Record record = lecture_like_record(8, 6);
+  const Part pixel{.pixels = record::Window{3, 2, 4, 3}, .words = {}, .description = "pixel 3, 2"};
+  const Coverage coverage = report::coverage(record, four_grammars(), {.part = pixel});
+  const std::string text = skeleton(html(record, coverage, classify(record, GroupBy::Word, {}, {.part = pixel})));
+  EXPECT_THAT(text, HasSubstr("about <strong>pixel 3, 2</strong>"));
+  const std::string words = text.substr(text.find("id=\"words\""));
+  for (const WordEnergy& word : coverage.words)
+    EXPECT_EQ(count_of(words, "<code>" + word.word + "</code>") > 0, word.count > 0 && word.energy.mean > 0)
+        << word.word;
+  EXPECT_THAT(skeleton(page_of(record)), Not(HasSubstr("numbers on this page are about")));
+}
+
+TEST(Html, ListsLabelsWhereThereAreSome) {
+  const record::Record record = lecture_like_record(8, 6);
+  EXPECT_THAT(skeleton(page_of(record)), Not(HasSubstr("What the light met")));
+  Classification labels = classify(record, GroupBy::Label, {});
+  labels.groups = {{.name = "<ball>", .expression = {}, .energy = {}, .share = {.mean = 0.25}}};
+  const std::string text =
+      skeleton(html(record, coverage(record, four_grammars()), classify(record, GroupBy::Word, {}), {}, {&labels, 1}));
+  const std::string section = text.substr(text.find("What the light met"));
+  EXPECT_THAT(section, HasSubstr("&lt;ball&gt;"));
+  EXPECT_THAT(section, HasSubstr("25.0"));
+  EXPECT_THAT(section, HasSubstr("labels of all events"));
+}
+
 TEST(Html, ShowsEveryGrammarWithItsWords) {
   const record::Record record = lecture_like_record(8, 6);
   const Coverage coverage = report::coverage(record, four_grammars());

@@ -19,6 +19,7 @@ record::Record open_record(const std::string& name, Extent extent, const Console
   record::Record record = extent == Extent::Totals ? read_record_totals(name) : read_record(name);
   console.detail(report::summary(record.info));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
+  console.note(report::folding(record));
   return record;
 }
 

@@ -21,24 +21,41 @@ std::string canonical(const ClassOfRecord& item) {
   return taxonomy::simplest_expression(item.grammar.language).value_or("");
 }
 
+bool contains_any(const std::vector<bool>& words) {
+  return std::find(words.begin(), words.end(), true) != words.end();
+}
+
+std::vector<bool> without(std::vector<bool> words, const std::vector<bool>& others) {
+  for (std::size_t w = 0; w < words.size(); ++w) words[w] = words[w] && !others[w];
+  return words;
+}
+
 }  // namespace
 
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence) {
   std::vector<taxonomy::Language> languages;
   for (const taxonomy::Grammar& grammar : grammars) languages.push_back(grammar.language);
-  std::vector<std::vector<bool>> members = record::members(record, languages, rule);
-  const std::vector<report::GroupEnergy> energies = report::Energies(record, confidence).of_sets(members);
+  const record::Outcomes outcomes = record::outcomes(record, languages, rule);
+  std::vector<std::vector<bool>> members = record::sets_of(outcomes, languages.size());
+  const report::Energies energies(record, confidence);
+  const std::vector<report::GroupEnergy> groups = energies.of_outcomes(outcomes, languages.size());
   std::vector<ClassOfRecord> classes;
   for (std::size_t i = 0; i < grammars.size(); ++i) {
     ClassOfRecord item;
     item.grammar = grammars[i];
     item.members = std::move(members[i]);
-    item.energy = energies[i].energy;
-    item.share = energies[i].share;
-    item.count = energies[i].count;
+    report::GroupEnergy group = groups[i];
+    if (std::vector<bool> undecided = record::undecided(record, languages[i], rule); contains_any(undecided)) {
+      item.members = without(item.members, undecided);
+      group = energies.between(item.members, undecided);
+      item.undecided = std::move(undecided);
+    }
+    item.energy = group.energy;
+    item.share = group.share;
+    item.count = group.count;
     item.words = static_cast<std::size_t>(std::count(item.members.begin(), item.members.end(), true));
-    if (item.words == 0) item.never = never_text(item.grammar, rule, record);
+    if (item.words == 0 && item.undecided.empty()) item.never = never_text(item.grammar, rule, record);
     classes.push_back(std::move(item));
   }
   return classes;
@@ -69,6 +86,19 @@ std::vector<record::Layer> layers_of(std::span<const record::Image> images, cons
     layers.push_back(std::move(layer));
   }
   return layers;
+}
+
+void add_undecided_layers(const record::Record& record, const std::vector<ClassOfRecord>& classes,
+                          std::vector<record::Layer>& layers) {
+  std::vector<std::string> taken;
+  for (const record::Layer& layer : layers) taken.push_back(layer.name);
+  for (const ClassOfRecord& item : classes) {
+    if (item.undecided.empty()) continue;
+    taken.push_back(record::layer_name(item.grammar.name + "_undecided", taken));
+    layers.push_back({taken.back(),
+                      record::image_of(record, item.undecided),
+                      {{"note", "folded words that may be in '" + item.grammar.name + "'"}}});
+  }
 }
 
 std::vector<std::string> renamed(const std::vector<record::Layer>& layers) {
@@ -120,6 +150,7 @@ std::string classes_text(const std::vector<ClassOfRecord>& classes, const report
                    report::number(item.energy.mean), report::grouped(item.count), report::grouped(item.words)},
          .bar = item.share.mean});
     if (item.grammar.name != item.grammar.expression) rows.back().notes.push_back(item.grammar.expression);
+    if (!item.undecided.empty()) rows.back().notes.push_back("at least; the rest of the interval is folded words");
   }
   return report::text_table({{"Class"},
                              {"Share", Align::Right},
@@ -140,6 +171,7 @@ report::Json to_json(const std::vector<ClassOfRecord>& classes) {
                     {"never", item.never},
                     {"energy", report::to_json(item.energy)},
                     {"share", report::to_json(item.share)},
+                    {"exact", item.undecided.empty()},
                     {"words", item.words},
                     {"count", item.count}});
   return list;

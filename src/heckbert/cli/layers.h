@@ -20,8 +20,9 @@ namespace heckbert::cli {
 /// What a record holds of one language.
 struct ClassOfRecord {
   taxonomy::Grammar grammar;
-  std::string never;          ///< "'LVE' matches nothing in this record, because ...", or empty
-  std::vector<bool> members;  ///< by word of the record
+  std::string never;              ///< "'LVE' matches nothing in this record, because ...", or empty
+  std::vector<bool> members;      ///< by word of the record
+  std::vector<bool> undecided{};  ///< by word, where the record is folded and does not know; else empty
   record::Estimate energy, share;
   std::size_t words = 0;    ///< distinct words of the record in the language
   std::uint64_t count = 0;  ///< contributions
@@ -41,6 +42,10 @@ std::vector<record::Image> images_of(const record::Record& record, const std::ve
 std::vector<record::Layer> layers_of(std::span<const record::Image> images, const std::vector<ClassOfRecord>& classes,
                                      taxonomy::GlossyRule rule, bool first_unnamed = false);
 
+/// For each class that a folded record cannot decide, a layer "NAME_undecided": what may be in it besides.
+void add_undecided_layers(const record::Record& record, const std::vector<ClassOfRecord>& classes,
+                          std::vector<record::Layer>& layers);
+
 /// What happened to names that had to be changed, in sentences: "the layer of 'LS+DE' is called LS_DE".
 std::vector<std::string> renamed(const std::vector<record::Layer>& layers);
 
@@ -56,7 +61,7 @@ std::string describe(const ClassOfRecord& item);
 /// The classes as a table for people.
 std::string classes_text(const std::vector<ClassOfRecord>& classes, const report::TextStyle& style);
 
-/// Keys "name", "expression", "dialect", "canonical", "never", "energy", "share", "words", "count".
+/// Keys "name", "expression", "dialect", "canonical", "never", "exact", "energy", "share", "words", "count".
 report::Json to_json(const std::vector<ClassOfRecord>& classes);
 
 }  // namespace heckbert::cli

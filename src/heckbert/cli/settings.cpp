@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -48,6 +49,17 @@ record::Part parse_part(const std::string& text) {
   return {whole(parts[0], 1, of), of};
 }
 
+std::uint64_t parse_bytes(const std::string& text) {
+  constexpr std::string_view kUnits = "KMGT";
+  const std::size_t unit = text.empty() ? std::string_view::npos : kUnits.find(text.back());
+  if (unit == std::string_view::npos)
+    throw BadValue(
+        fmt::format("'{}' is no amount of memory; expected a number and one of K, M, G, T, as in 512M", text));
+  constexpr double kMost = 1 << 20;
+  return static_cast<std::uint64_t>(
+      std::ldexp(number_between(text.substr(0, text.size() - 1), 0, kMost), 10 * (static_cast<int>(unit) + 1)));
+}
+
 bool parse_switch(const std::string& text) {
   for (const std::string_view yes : {"1", "true", "yes", "on"})
     if (text == yes) return true;
@@ -84,6 +96,9 @@ const std::vector<Setting>& all_settings() {
          [](Settings& s, const std::string& t) { s.part = parse_part(t); }},
         {"checkpoint", "SECONDS", Scope::Rendering, "", "write what is there to the --record file every so often",
          [](Settings& s, const std::string& t) { s.checkpoint = number_between(t, 0, 1e7); }},
+        {"memory", "SIZE", Scope::Tracing, "",
+         "keep to this much, such as 512M or 2G, by folding long words that no --lpe or grammar tells apart",
+         [](Settings& s, const std::string& t) { s.memory = parse_bytes(t); }},
         {"threads", "N", Scope::Tracing, "", "threads to trace with; 0 for all cores (default); changes no pixel",
          [](Settings& s, const std::string& t) { s.threads = whole(t, 0, kMaxThreads); }},
         {"size", "WxH", Scope::Tracing, "",

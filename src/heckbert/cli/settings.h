@@ -34,7 +34,8 @@ struct Settings {
   std::optional<int> samples_per_pixel;
   std::optional<double> seconds;
   record::Part part;
-  std::optional<double> checkpoint;  ///< seconds
+  std::optional<double> checkpoint;     ///< seconds
+  std::optional<std::uint64_t> memory;  ///< bytes
   std::optional<std::uint64_t> seed;
   std::optional<int> threads;
   std::optional<Size> size;

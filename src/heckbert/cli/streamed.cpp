@@ -19,8 +19,9 @@ std::optional<std::filesystem::path> target_of(const std::string& record) {
 }  // namespace
 
 Streamed::Streamed(const record::RenderInfo& info, const std::string& record,
-                   std::span<const taxonomy::Language> classes, taxonomy::GlossyRule rule)
-    : spool(info, target_of(record)), pictures(info, classes, rule) {}
+                   std::span<const taxonomy::Language> classes, taxonomy::GlossyRule rule,
+                   const std::optional<record::FoldRule>& folding)
+    : spool(info, target_of(record), folding), pictures(info, classes, rule) {}
 
 bool trace(const transport::Scene& scene, const TracingJob& job, const Console& console, const std::atomic<bool>& stop,
            Work& work, Streamed& streamed) {

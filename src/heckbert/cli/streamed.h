@@ -3,6 +3,7 @@
 // so that memory does not grow with the record.
 
 #include <atomic>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,7 +21,7 @@ struct Streamed {
   /// `record` is the name of the record's file, beside which the tiles are kept; empty: none is wanted. Errors:
   /// WriteError.
   Streamed(const record::RenderInfo& info, const std::string& record, std::span<const taxonomy::Language> classes,
-           taxonomy::GlossyRule rule);
+           taxonomy::GlossyRule rule, const std::optional<record::FoldRule>& folding);
 };
 
 /// Traces until it is done or stopped; gives back whether it is done. Errors: WriteError.

@@ -40,6 +40,7 @@ constexpr const char* kPartial = "heckbert.partial";
 constexpr const char* kHasBatches = "heckbert.has_batches";
 constexpr const char* kParts = "heckbert.parts";  // "seed of first last"; absent when all of one render
 constexpr const char* kPrecision = "heckbert.precision";
+constexpr const char* kGlossy = "heckbert.glossy";    // absent in records of earlier builds
 constexpr const char* kIgnored = "heckbert.ignored";  // absent when there is nothing
 
 struct ColourChannel {
@@ -57,6 +58,12 @@ Precision precision_of(const std::string& name) {
   for (const PrecisionFacts& facts : kPrecisions)
     if (facts.name == name) return facts.precision;
   throw std::runtime_error(fmt::format("the header attribute '{}' is '{}'", kPrecision, name));
+}
+
+taxonomy::GlossyRule glossy_of(const std::string& name) {
+  for (const taxonomy::GlossyRuleFacts& facts : taxonomy::kGlossyRules)
+    if (facts.name == name) return facts.rule;
+  throw std::runtime_error(fmt::format("the header attribute '{}' is '{}'", kGlossy, name));
 }
 
 [[noreturn]] void refuse_number(const std::string& digits, const std::string& name) {
@@ -136,6 +143,8 @@ Imf::Header header_for(const RenderInfo& info) {
   header.insert(kPartial, Imf::IntAttribute(info.partial ? 1 : 0));
   header.insert(kHasBatches, Imf::IntAttribute(info.has_batches ? 1 : 0));
   if (!info.parts.empty()) header.insert(kParts, Imf::StringVectorAttribute(texts_of(info.parts)));
+  header.insert(kGlossy,
+                Imf::StringAttribute(std::string(taxonomy::kGlossyRules[static_cast<std::size_t>(info.glossy)].name)));
   header.insert(kPrecision, Imf::StringAttribute(std::string(name_of(info.precision))));
   if (!info.ignored.empty()) header.insert(kIgnored, Imf::StringVectorAttribute(info.ignored));
   return header;
@@ -153,6 +162,7 @@ RenderInfo info_of(const Imf::Header& header) {
   info.partial = attribute<Imf::IntAttribute>(header, kPartial) != 0;
   info.has_batches = attribute<Imf::IntAttribute>(header, kHasBatches) != 0;
   if (header.find(kParts) != header.end()) read_parts(attribute<Imf::StringVectorAttribute>(header, kParts), info);
+  if (header.find(kGlossy) != header.end()) info.glossy = glossy_of(attribute<Imf::StringAttribute>(header, kGlossy));
   info.precision = precision_of(attribute<Imf::StringAttribute>(header, kPrecision));
   if (header.find(kIgnored) != header.end()) info.ignored = attribute<Imf::StringVectorAttribute>(header, kIgnored);
   return info;

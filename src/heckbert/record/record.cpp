@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <unordered_map>
 
 #include <heckbert/taxonomy/classifier.h>
 
@@ -67,18 +68,38 @@ std::vector<bool> members(const Record& record, const taxonomy::Language& langua
   return chosen;
 }
 
-std::vector<std::vector<bool>> members(const Record& record, std::span<const taxonomy::Language> languages,
-                                       taxonomy::GlossyRule rule) {
+Outcomes outcomes(const Record& record, std::span<const taxonomy::Language> languages, taxonomy::GlossyRule rule) {
   std::vector<taxonomy::Language> finest;
   for (const taxonomy::Language& language : languages) finest.push_back(taxonomy::apply(rule, language));
   const taxonomy::Classifier classifier(finest);
-  std::vector<std::vector<bool>> chosen(finest.size(), std::vector<bool>(record.words.size()));
-  for (std::size_t w = 0; w < record.words.size(); ++w) {
-    const taxonomy::Membership membership = classifier.classify(record.words[w]);
-    for (std::size_t i = 0; i < finest.size(); ++i)
-      if (membership[i]) chosen[i][w] = true;
+  Outcomes result;
+  result.of_word.reserve(record.words.size());
+  std::unordered_map<taxonomy::Membership, std::uint32_t> known;
+  for (const taxonomy::Word& word : record.words) {
+    const auto [outcome, is_new] =
+        known.try_emplace(classifier.classify(word), static_cast<std::uint32_t>(result.members.size()));
+    if (is_new) result.members.push_back(outcome->first);
+    result.of_word.push_back(outcome->second);
   }
-  return chosen;
+  return result;
+}
+
+std::vector<std::vector<bool>> sets_of(const Outcomes& outcomes, std::size_t languages) {
+  std::vector<std::vector<std::size_t>> languages_of;  // by outcome
+  for (const std::vector<bool>& members : outcomes.members) {
+    std::vector<std::size_t>& these = languages_of.emplace_back();
+    for (std::size_t i = 0; i < languages; ++i)
+      if (members[i]) these.push_back(i);
+  }
+  std::vector<std::vector<bool>> sets(languages, std::vector<bool>(outcomes.of_word.size()));
+  for (std::size_t w = 0; w < outcomes.of_word.size(); ++w)
+    for (const std::size_t i : languages_of[outcomes.of_word[w]]) sets[i][w] = true;
+  return sets;
+}
+
+std::vector<std::vector<bool>> members(const Record& record, std::span<const taxonomy::Language> languages,
+                                       taxonomy::GlossyRule rule) {
+  return sets_of(outcomes(record, languages, rule), languages.size());
 }
 
 Image beauty(const Record& record) {

@@ -8,11 +8,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <heckbert/record/folding.h>
 #include <heckbert/record/rgb.h>
 #include <heckbert/record/samples.h>
 #include <heckbert/record/sum.h>
@@ -59,8 +61,10 @@ struct RenderInfo {
   std::vector<SampleRange> parts{};
   /// False: the samples came without their numbers, as one batch, and no interval is known.
   bool has_batches = true;
-  int max_depth = 0;                   ///< most scatterings per path
-  bool partial = false;                ///< interrupted: some pixels have no samples
+  int max_depth = 0;     ///< most scatterings per path
+  bool partial = false;  ///< interrupted: some pixels have no samples
+  /// What the expressions declared with the render say of glossy bounces.
+  taxonomy::GlossyRule glossy = taxonomy::GlossyRule::Keep;
   std::string labels{};                ///< what letters are labelled with, "object,light-group"; empty: nothing
   std::string version{};               ///< of the tool
   std::vector<std::string> ignored{};  ///< what the scene's file says and was not used, in sentences with their places
@@ -153,6 +157,7 @@ struct Record {
   /// pixels without samples count as black.
   std::vector<Rgb> batch_means;
   std::vector<Rgb> ambient, phantom;  ///< non-path light, mean over samples, one per pixel; empty when never added
+  std::optional<Folding> folding{};   ///< where there were more words than the memory was to hold
   bool operator==(const Record&) const = default;
 
   std::span<const Entry> pixel(int x, int y) const;  ///< x, y in picture coordinates, inside info.window
@@ -169,7 +174,23 @@ struct Image {
 std::vector<bool> members(const Record& record, const taxonomy::Language& language,
                           taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
 
-/// The same for many languages at once, by language: the words are walked once for all of them.
+/// By word of the record: does it stand for words of which some are in the language and some may not be? Never, unless
+/// the record is folded, and not for languages that stay exact.
+std::vector<bool> undecided(const Record& record, const taxonomy::Language& language,
+                            taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
+
+/// Many languages asked at once. Words that are in the same ones have the same outcome; few outcomes occur.
+struct Outcomes {
+  std::vector<std::uint32_t> of_word;
+  std::vector<std::vector<bool>> members;  ///< by outcome, then by language
+};
+
+/// The words are walked once for all of the languages.
+Outcomes outcomes(const Record& record, std::span<const taxonomy::Language> languages,
+                  taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
+/// By language, then by word. Takes: outcomes of as many languages.
+std::vector<std::vector<bool>> sets_of(const Outcomes& outcomes, std::size_t languages);
+/// As sets_of(outcomes()).
 std::vector<std::vector<bool>> members(const Record& record, std::span<const taxonomy::Language> languages,
                                        taxonomy::GlossyRule rule = taxonomy::GlossyRule::Keep);
 

@@ -132,7 +132,8 @@ void write(const Record& record, const Sums* sums, const std::filesystem::path& 
                 .entries = {},
                 .batch_means = record.batch_means,
                 .ambient = record.ambient,
-                .phantom = record.phantom};
+                .phantom = record.phantom,
+                .folding = record.folding};
   if (precision == Precision::Half)
     for (const Entry& entry : record.entries) exr::count_rounding(totals.tally, entry.energy);
   std::size_t pixel = 0;

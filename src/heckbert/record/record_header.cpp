@@ -8,9 +8,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
+#include <set>
+
+#include <fmt/ranges.h>
 
 #include <heckbert/record/exr.h>
 #include <heckbert/record/parallel.h>
+#include <heckbert/taxonomy/expression.h>
+#include <heckbert/taxonomy/letter.h>
+#include <heckbert/taxonomy/simplest.h>
 
 namespace heckbert::record::exr {
 
@@ -20,6 +27,13 @@ constexpr int kLayoutVersion = 3;
 constexpr const char* kLayout = "heckbert.record";
 constexpr const char* kWords = "heckbert.words";
 constexpr const char* kIdChannel = "id";
+// For people and other tools: the kinds of ends that paths were found from and to, "La Le".
+constexpr const char* kLights = "heckbert.lights";
+constexpr const char* kEyes = "heckbert.eyes";
+// Absent unless the record is folded (folding.h).
+constexpr const char* kLongest = "heckbert.folding.longest";
+constexpr const char* kClasses = "heckbert.folding.classes";
+constexpr const char* kExact = "heckbert.folding.exact";
 
 std::string tally_name(std::string_view name) {
   return fmt::format("heckbert.tally.{}", name);
@@ -82,6 +96,48 @@ std::vector<taxonomy::Word> read_words(const Imf::Header& header, std::uint64_t 
   return words;
 }
 
+/// The kinds that one end of the words has, each once, in the order of the alphabet.
+std::string kinds_of(const std::vector<taxonomy::Word>& words, taxonomy::Symbol taxonomy::Word::*end) {
+  std::set<taxonomy::Symbol> kinds;
+  for (const taxonomy::Word& word : words) kinds.insert(word.*end);
+  std::vector<std::string> names;
+  for (const taxonomy::Symbol kind : kinds) names.push_back(taxonomy::name(taxonomy::Letter{kind, ""}));
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+void insert_folding(Imf::Header& header, const Record& record) {
+  if (!record.folding) return;
+  Imf::StringVector exact;
+  for (const taxonomy::Language& language : record.folding->exact) {
+    const std::optional<std::string> expression = taxonomy::simplest_expression(language);
+    if (!expression) throw std::logic_error("what stays exact can be written as an expression");
+    exact.push_back(*expression);
+  }
+  header.insert(kLongest, Imf::IntAttribute(record.folding->longest));
+  header.insert(kClasses, Imf::IntAttribute(static_cast<int>(record.words.size() - record.folding->first)));
+  header.insert(kExact, Imf::StringVectorAttribute(exact));
+}
+
+void read_folding(const Imf::Header& header, Record& record) {
+  if (header.find(kLongest) == header.end()) return;
+  Folding folding{.longest = attribute<Imf::IntAttribute>(header, kLongest)};
+  const int classes = attribute<Imf::IntAttribute>(header, kClasses);
+  const bool can_be = folding.longest >= 0 && classes > 0 && static_cast<std::size_t>(classes) <= record.words.size();
+  if (can_be) folding.first = record.words.size() - static_cast<std::size_t>(classes);
+  // Words are sorted, short ones first.
+  const auto has_length = [&](std::size_t word) { return record.words[word].length(); };
+  const auto longest = static_cast<std::size_t>(folding.longest);
+  require(
+      can_be && (folding.first == 0 || has_length(folding.first - 1) <= longest) && has_length(folding.first) > longest,
+      "what the header says of folded words does not fit the words");
+  for (const std::string& expression : attribute<Imf::StringVectorAttribute>(header, kExact)) try {
+      folding.exact.push_back(taxonomy::compile(expression));
+    } catch (const std::exception&) {
+      throw std::runtime_error(fmt::format("the header attribute '{}' has '{}', no expression", kExact, expression));
+    }
+  record.folding = std::move(folding);
+}
+
 }  // namespace
 
 Imf::Header part_header(const RenderInfo& info, const char* name, const std::string& type, const Window& window) {
@@ -99,6 +155,9 @@ void insert_totals(Imf::Header& header, const Record& record) {
   for (const taxonomy::Word& word : record.words) words.push_back(taxonomy::fine(word));
   header.insert(kWords, Imf::StringVectorAttribute(words));
   Imf::addIDManifest(header, manifest_of(words));
+  header.insert(kLights, Imf::StringAttribute(kinds_of(record.words, &taxonomy::Word::light)));
+  header.insert(kEyes, Imf::StringAttribute(kinds_of(record.words, &taxonomy::Word::eye)));
+  insert_folding(header, record);
   for (const TallyFacts& facts : kTallyFields)
     header.insert(tally_name(facts.name), Imf::StringAttribute(std::to_string(record.tally.*facts.field)));
   for (const TallySumFacts& facts : kTallySums)
@@ -130,6 +189,7 @@ Record read_totals(const Imf::Header& header, std::uint64_t file_bytes) {
     record.tally.*facts.field = parse_quanta(attribute<Imf::StringAttribute>(header, name), name);
   }
   record.words = read_words(header, file_bytes);
+  read_folding(header, record);
   return record;
 }
 

@@ -69,21 +69,39 @@ class RecordSpool::RowReader {
       spool_.file_->read(next_[t], bytes);
       next_[t] += bytes.size();
       for (EntrySum& entry : entries_) entry.word = rank_[entry.word];
-      use(Row{window.x0, std::span(tile.samples).subspan(first, width), counts, entries_});
+      counts_.assign(counts.begin(), counts.end());
+      if (spool_.is_folded()) add_up_classes();
+      use(Row{window.x0, std::span(tile.samples).subspan(first, width), counts_, entries_});
     }
   }
 
  private:
+  /// Several words of a pixel may have become one class.
+  void add_up_classes() {
+    std::vector<EntrySum> sums;
+    const EntrySum* next = entries_.data();
+    for (std::uint32_t& count : counts_) {
+      const std::size_t first = sums.size();
+      sums.insert(sums.end(), next, next + count);
+      next += count;
+      add_up_equals(sums, first);
+      count = static_cast<std::uint32_t>(sums.size() - first);
+    }
+    entries_ = std::move(sums);
+  }
+
   const RecordSpool& spool_;
   std::vector<std::uint32_t> rank_;
   std::vector<std::vector<std::size_t>> rows_;
   std::vector<std::uint64_t> next_;  // by tile: the place of the row that comes next
   std::vector<EntrySum> entries_;    // of the current row
+  std::vector<std::uint32_t> counts_;
 };
 
-RecordSpool::RecordSpool(RenderInfo info, const std::optional<std::filesystem::path>& target)
+RecordSpool::RecordSpool(RenderInfo info, const std::optional<std::filesystem::path>& target,
+                         const std::optional<FoldRule>& rule)
     : info_(std::move(info)),
-      words_(std::make_unique<WordSums>()),
+      words_(std::make_unique<WordSums>(rule)),
       file_(target ? std::make_unique<SpoolFile>(*target) : nullptr) {}
 RecordSpool::~RecordSpool() = default;
 
@@ -117,6 +135,10 @@ Record RecordSpool::totals(bool partial) const {
   record.ambient = means_of(ambient_, samples_);
   record.phantom = means_of(phantom_, samples_);
   return record;
+}
+
+bool RecordSpool::is_folded() const {
+  return words_->is_folded();
 }
 
 void RecordSpool::write(const std::filesystem::path& path, bool partial) const {

@@ -19,9 +19,10 @@ class SpoolFile;
 /// Thread-safe as the Assembler is: tiles may be submitted from any thread in any order.
 class RecordSpool {
  public:
-  /// The temporary file lies beside `target`, where the record will go; without, nothing but totals is kept. The record
-  /// will have the precision that `info` says. Errors: WriteError.
-  RecordSpool(RenderInfo info, const std::optional<std::filesystem::path>& target);
+  /// With a rule, words that are too many are folded. The temporary file lies beside `target`, where the record will
+  /// go; without, nothing but totals is kept. The record will have the precision that `info` says. Errors: WriteError.
+  RecordSpool(RenderInfo info, const std::optional<std::filesystem::path>& target,
+              const std::optional<FoldRule>& rule = {});
   ~RecordSpool();
 
   /// Windows of different tiles do not overlap. Errors: WriteError; std::logic_error when the tile breaks its own
@@ -35,7 +36,8 @@ class RecordSpool {
   /// Writes what write_record() would write of the same tiles. Takes: a target was given. Memory: some rows. Errors:
   /// WriteError; std::logic_error when tiles overlap.
   void write(const std::filesystem::path& path, bool partial) const;
-  /// All of it, in memory: to be resumed or merged. Takes: a target was given. Errors: as write().
+  bool is_folded() const;
+  /// All of it, in memory: to be resumed or merged. Takes: a target was given, nothing is folded. Errors: as write().
   Sums sums(bool partial) const;
 
  private:

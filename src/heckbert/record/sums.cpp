@@ -65,22 +65,6 @@ void add_to_row(std::vector<RgbSum>& sum, const std::vector<RgbSum>& pixels, con
   for (std::size_t i = 0; i < row.width; ++i) sum[row.to + i] += pixels[row.from + i];
 }
 
-/// Sorts the entries of a pixel from `first` on by word and adds up those of the same word.
-void add_up_pixel(std::vector<EntrySum>& entries, std::size_t first) {
-  const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(begin, entries.end(), [](const EntrySum& a, const EntrySum& b) { return a.word < b.word; });
-  std::size_t last = first;
-  for (std::size_t e = first + 1; e < entries.size(); ++e) {
-    if (entries[e].word != entries[last].word) {
-      entries[++last] = entries[e];
-      continue;
-    }
-    entries[last].count = added_counts(entries[last].count, entries[e].count);
-    entries[last].sum += entries[e].sum;
-  }
-  if (first < entries.size()) entries.resize(last + 1);
-}
-
 /// What tells scenes apart: the contents where they are known, whatever the file is called.
 std::string identity_of(const RenderInfo& info) {
   return info.scene_hash.empty() ? "the scene called " + info.scene : info.scene_hash;
@@ -148,6 +132,21 @@ std::vector<SampleRange> samples_of_both(const RenderInfo& a, const RenderInfo& 
   }
 }
 
+void add_up_equals(std::vector<EntrySum>& entries, std::size_t first) {
+  const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, entries.end(), [](const EntrySum& a, const EntrySum& b) { return a.word < b.word; });
+  std::size_t last = first;
+  for (std::size_t e = first + 1; e < entries.size(); ++e) {
+    if (entries[e].word != entries[last].word) {
+      entries[++last] = entries[e];
+      continue;
+    }
+    entries[last].count = added_counts(entries[last].count, entries[e].count);
+    entries[last].sum += entries[e].sum;
+  }
+  if (first < entries.size()) entries.resize(last + 1);
+}
+
 Tile added(const Window& window, std::vector<Tile> tiles) {
   Tile sum;
   sum.window = window;
@@ -187,7 +186,7 @@ Tile added(const Window& window, std::vector<Tile> tiles) {
         }
         ++sources;
       }
-      if (sources > 1) add_up_pixel(sum.entries, sum.offsets.back());
+      if (sources > 1) add_up_equals(sum.entries, sum.offsets.back());
     }
   }
   sum.offsets.push_back(sum.entries.size());
@@ -199,6 +198,7 @@ Sums merged(Sums a, Sums b) {
   RenderInfo info = a.info;
   set_samples(info, samples_of_both(a.info, b.info));
   info.scene = std::min(a.info.scene, b.info.scene);
+  if (a.info.glossy != b.info.glossy) info.glossy = taxonomy::GlossyRule::Keep;
   info.ignored = either(a.info.ignored, b.info.ignored);
   Sums sums{std::move(info), added(std::move(a.tile), std::move(b.tile))};
   sums.info.partial = is_partial(sums);

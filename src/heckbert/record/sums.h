@@ -48,6 +48,9 @@ std::string doubt_of(const RenderInfo& a, const RenderInfo& b);
 /// The means. Cost: O(entries).
 Record record_of(Sums sums);
 
+/// Sorts the entries from `first` on by word and adds up those of the same word.
+void add_up_equals(std::vector<EntrySum>& entries, std::size_t first);
+
 /// a + b. Errors: std::overflow_error when an Entry cannot count that far.
 std::uint32_t added_counts(std::uint32_t a, std::uint32_t b);
 

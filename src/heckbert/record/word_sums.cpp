@@ -1,6 +1,8 @@
 #include <heckbert/record/word_sums.h>
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 
@@ -31,40 +33,91 @@ bool is_inside(const Window& inner, const Window& outer) {
 
 }  // namespace
 
+WordSums::WordSums(const std::optional<FoldRule>& rule) {
+  if (rule) folded_.emplace(Folded{.rule = *rule, .classifier = taxonomy::Classifier(rule->exact)});
+}
+
+WordSums::Number WordSums::new_number() {
+  batches_.emplace_back();
+  return static_cast<Number>(batches_.size() - 1);
+}
+
+WordSums::Number WordSums::number_of(const taxonomy::Word& word) {
+  if (folded_ && word.length() > folded_->longest) return class_of(word);
+  const auto [place, is_new] = numbers_.try_emplace(word);
+  if (is_new) place->second = new_number();
+  return place->second;
+}
+
+WordSums::Number WordSums::class_of(const taxonomy::Word& word) {
+  const auto [place, is_new] = folded_->classes.try_emplace(folded_->classifier.classify(word));
+  Class& found = place->second;
+  if (is_new) found.number = new_number();
+  if (is_new || word < found.first) found.first = word;
+  return found.number;
+}
+
+/// Until the words are few enough. How many of each length there are does not depend on the order in which they come,
+/// and so the length at which this ends does not.
+void WordSums::fold_longest() {
+  while (numbers_.size() > folded_->rule.most_words && numbers_.rbegin()->first.length() > 0) {
+    folded_->longest = numbers_.rbegin()->first.length() - 1;
+    while (!numbers_.empty() && numbers_.rbegin()->first.length() > folded_->longest) {
+      const auto last = std::prev(numbers_.end());
+      const Number to = class_of(last->first), from = last->second;
+      for (const BatchSum& sum : std::exchange(batches_[from], {})) add_to(batches_[to], sum);
+      folded_->moved.emplace_back(from, to);
+      numbers_.erase(last);
+    }
+  }
+}
+
 std::vector<std::uint32_t> WordSums::add(const Tile& tile) {
   tally_ += tile.tally;
   std::vector<std::uint32_t> numbers;
   numbers.reserve(tile.words.size());
-  for (const taxonomy::Word& word : tile.words)
-    numbers.push_back(numbers_.try_emplace(word, static_cast<std::uint32_t>(numbers_.size())).first->second);
-  batches_.resize(numbers_.size());
+  for (const taxonomy::Word& word : tile.words) numbers.push_back(number_of(word));
   for (const BatchSum& sum : tile.batch_sums) add_to(batches_[numbers[sum.word]], sum);
+  if (folded_) fold_longest();
   return numbers;
 }
 
+std::vector<std::pair<const taxonomy::Word*, WordSums::Number>> WordSums::sorted() const {
+  std::vector<std::pair<const taxonomy::Word*, Number>> words;
+  for (const auto& [word, number] : numbers_) words.emplace_back(&word, number);
+  if (!folded_) return words;
+  for (const auto& [languages, found] : folded_->classes) words.emplace_back(&found.first, found.number);
+  std::sort(words.begin() + static_cast<std::ptrdiff_t>(numbers_.size()), words.end(),
+            [](const auto& a, const auto& b) { return *a.first < *b.first; });
+  return words;
+}
+
 Record WordSums::totals(const RenderInfo& info) const {
+  const auto words = sorted();
   Record record;
   record.info = info;
   record.tally = tally_;
-  record.words.reserve(numbers_.size());
-  record.counts.reserve(numbers_.size());
-  record.batch_means.resize(numbers_.size() * kBatches);
+  record.words.reserve(words.size());
+  record.counts.reserve(words.size());
+  record.batch_means.resize(words.size() * kBatches);
   const auto sizes = batch_sizes(info);
   const auto pixels = static_cast<double>(info.window.pixel_count());
-  for (const auto& [word, number] : numbers_) {
+  for (const auto& [word, number] : words) {
     Rgb* const means = &record.batch_means[record.words.size() * kBatches];
     std::uint64_t count = 0;
     for (const BatchSum& sum : batches_[number]) {
       means[sum.batch] = mean_of(sum.sum, sizes[sum.batch] * pixels);
       count += sum.count;
     }
-    record.words.push_back(word);
+    record.words.push_back(*word);
     record.counts.push_back(count);
   }
+  if (is_folded()) record.folding = {static_cast<int>(folded_->longest), numbers_.size(), folded_->rule.exact};
   return record;
 }
 
 Tile WordSums::tile() const {
+  assert(!is_folded() && "sums of classes cannot be added to");
   Tile tile;
   tile.tally = tally_;
   tile.words.reserve(numbers_.size());
@@ -79,9 +132,11 @@ Tile WordSums::tile() const {
 }
 
 std::vector<std::uint32_t> WordSums::ranks() const {
-  std::vector<std::uint32_t> ranks(numbers_.size());
+  std::vector<std::uint32_t> ranks(batches_.size());
   std::uint32_t rank = 0;
-  for (const auto& [word, number] : numbers_) ranks[number] = rank++;
+  for (const auto& [word, number] : sorted()) ranks[number] = rank++;
+  if (folded_)
+    for (const auto& [from, to] : folded_->moved) ranks[from] = ranks[to];
   return ranks;
 }
 

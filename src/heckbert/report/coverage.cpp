@@ -1,6 +1,7 @@
 #include <heckbert/report/coverage.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <unordered_map>
 #include <utility>
@@ -245,10 +246,12 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
       result.left_out.push_back({grammar.name, grammar.title, taxonomy::why_no_language(grammar)});
       continue;
     }
-    const std::vector<bool> captured = members(record, grammar.language, options.glossy_rule);
+    const std::vector<bool> undecided = record::undecided(record, grammar.language, options.glossy_rule);
+    std::vector<bool> captured = members(record, grammar.language, options.glossy_rule);
+    std::transform(captured.begin(), captured.end(), undecided.begin(), captured.begin(), std::greater<>());
     std::vector<bool> missed = captured;
     missed.flip();
-    const GroupEnergy sum = energies.of_words(captured);
+    const GroupEnergy sum = energies.between(captured, undecided);
     const Selection captured_words = ranking.select(captured);
     result.grammars.push_back({.name = grammar.name,
                                .title = grammar.title,
@@ -259,6 +262,7 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
                                .variances = grammar.variances,
                                .preconditions = grammar.preconditions,
                                .captured = captured,
+                               .is_exact = std::find(undecided.begin(), undecided.end(), true) == undecided.end(),
                                .captured_energy = sum.energy,
                                .share = sum.share,
                                .practical_share = practical_share(captured_words, options.budget),

@@ -40,7 +40,8 @@ struct WorstPixel {
 struct GrammarCoverage {
   std::string name, title, expression, expression_delta, source;
   std::vector<std::string> biases, variances, preconditions;  ///< what the share does not tell
-  std::vector<bool> captured;                                 ///< by word of the record
+  std::vector<bool> captured;                                 ///< by word of the record; certainly, where it is folded
+  bool is_exact = true;  ///< false: folded words may be captured too; the intervals say how much they are
   record::Estimate captured_energy;
   record::Estimate share;                            ///< captured over all
   double practical_share = 0;                        ///< of all energy: captured, within the budget

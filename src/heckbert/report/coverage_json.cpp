@@ -15,6 +15,7 @@ std::string coverage_json(const Coverage& coverage, const std::vector<Verdict>& 
                         {"biases", grammar.biases},
                         {"variances", grammar.variances},
                         {"preconditions", grammar.preconditions},
+                        {"exact", grammar.is_exact},
                         {"share", to_json(grammar.share)},
                         {"captured_energy", to_json(grammar.captured_energy)},
                         {"practical_share", grammar.practical_share},

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 namespace heckbert::report {
@@ -18,6 +18,45 @@ record::BatchSeries difference(const record::BatchSeries& a, const record::Batch
 bool is_inside(const record::Window& window, int x, int y) {
   return x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1;
 }
+
+/// Squares of the second differences a - 2 b + c along the rows of a picture, most of whose pixels are zero. Where the
+/// light changes slowly they are noise alone: each has six times the variance of a pixel.
+class Differences {
+ public:
+  bool is_new_in_row() const { return next_ < 0; }
+  /// Pixels from left to right; those that are left out are zero.
+  void add(int x, double value) {
+    if (next_ < 0) next_ = x;
+    pass_zeros(x);
+    step(value);
+  }
+  void end_row(int width) {
+    pass_zeros(width);
+    next_ = -1;
+    last_ = before_ = 0;
+  }
+  /// The sum of the variances of all pixels; infinite in a picture too narrow to tell.
+  double variance(int width) const {
+    return width < 3 ? std::numeric_limits<double>::infinity() : squares_ / 6 * width / (width - 2);
+  }
+
+ private:
+  void pass_zeros(int end) {
+    while (next_ < end && (last_ != 0 || before_ != 0)) step(0);
+    next_ = end;
+  }
+  void step(double value) {
+    const double difference = before_ - 2 * last_ + value;
+    if (next_ >= 2) squares_ += difference * difference;
+    before_ = last_;
+    last_ = value;
+    ++next_;
+  }
+
+  int next_ = -1;  ///< the pixel that comes next; -1: none of this row was added
+  double last_ = 0, before_ = 0;
+  double squares_ = 0;
+};
 
 }  // namespace
 
@@ -36,8 +75,10 @@ Energies::Energies(const record::Record& record, double confidence, Part part)
 
 void Energies::look_at_pixels(const record::Window& asked) {
   const record::Window& window = record_.info.window;
+  std::vector<Differences> differences(words_.size());
+  std::vector<std::uint32_t> in_row;
   std::size_t pixel = 0;
-  for (int y = window.y0; y < window.y1; ++y)
+  for (int y = window.y0; y < window.y1; ++y) {
     for (int x = window.x0; x < window.x1; ++x, ++pixel) {
       const bool is_asked = is_inside(asked, x, y);
       for (std::size_t e = record_.offsets[pixel]; e < record_.offsets[pixel + 1]; ++e) {
@@ -46,12 +87,19 @@ void Energies::look_at_pixels(const record::Window& asked) {
         const auto light = static_cast<double>(luminance(entry.energy));
         const double scatter = light * light / entry.count;
         word.scatter_all += scatter;
+        if (differences[entry.word].is_new_in_row()) in_row.push_back(entry.word);
+        differences[entry.word].add(x - window.x0, light);
         if (!is_asked) continue;
         word.count += entry.count;
         word.luminance += light;
         word.scatter += scatter;
       }
     }
+    for (const std::uint32_t word : in_row) differences[word].end_row(window.width());
+    in_row.clear();
+  }
+  for (std::size_t word = 0; word < words_.size(); ++word)
+    words_[word].apart_all = std::min(differences[word].variance(window.width()), words_[word].scatter_all);
 }
 
 void Energies::add_word(Sums& sums, std::size_t word, double weight) const {
@@ -72,6 +120,7 @@ Energies::OfWord& Energies::OfWord::operator+=(const OfWord& other) {
   luminance += other.luminance;
   scatter += other.scatter;
   scatter_all += other.scatter_all;
+  apart_all += other.apart_all;
   return *this;
 }
 
@@ -100,8 +149,13 @@ GroupEnergy Energies::estimate_region(const Sums& sums) const {
   const auto of_picture = [&](const record::BatchSeries& batches) {
     return statistics_.energy(batches).standard_error;
   };
-  const auto of_region = [&](double picture, double scatter, double scatter_all) {
-    return scatter > 0 ? all_pixels * picture * std::sqrt(scatter / scatter_all) : 0.0;
+  // By how much less errors cancel in the region: 1 in the whole picture, most in a single pixel.
+  const double exponent = all_pixels > 1 ? 1 - std::log(pixels) / std::log(all_pixels) : 0;
+  const auto of_region = [&](double picture, double scatter, double scatter_all, double apart_all) {
+    if (!(scatter > 0)) return 0.0;
+    const double variance = std::pow(all_pixels * picture, 2);
+    const double cancelled = variance > 0 ? std::max(apart_all / variance, 1.0) : 1.0;
+    return std::sqrt(variance * scatter / scatter_all * std::pow(cancelled, exponent));
   };
   const bool is_known = statistics_.batches() > 1 && sums.entries.count > 0;
   const auto interval = [&](double mean, double error, double most) {
@@ -111,8 +165,9 @@ GroupEnergy Energies::estimate_region(const Sums& sums) const {
   const OfWord &group = sums.entries, &all = total_.entries;
   const double group_picture = of_picture(sums.batches);
   const double rest_picture = of_picture(difference(total_.batches, sums.batches));
-  const double of_group = of_region(group_picture, group.scatter, group.scatter_all);
-  const double of_rest = of_region(rest_picture, all.scatter - group.scatter, all.scatter_all - group.scatter_all);
+  const double of_group = of_region(group_picture, group.scatter, group.scatter_all, group.apart_all);
+  const double of_rest = of_region(rest_picture, all.scatter - group.scatter, all.scatter_all - group.scatter_all,
+                                   all.apart_all - group.apart_all);
   GroupEnergy result;
   result.energy = interval(group.luminance / pixels, of_group / pixels, std::numeric_limits<double>::infinity());
   if (all.luminance > 0) {
@@ -147,19 +202,27 @@ GroupEnergy Energies::of_words(const std::vector<bool>& chosen) const {
   return estimate(sums);
 }
 
-std::vector<GroupEnergy> Energies::of_sets(const std::vector<std::vector<bool>>& sets) const {
-  std::unordered_map<std::vector<bool>, Sums> outcomes;  // by the sets that have a word
-  std::vector<bool> outcome(sets.size());
-  for (std::size_t word = 0; word < words_.size(); ++word) {
-    for (std::size_t set = 0; set < sets.size(); ++set) outcome[set] = sets[set][word];
-    add_word(outcomes[outcome], word);
-  }
+GroupEnergy Energies::between(const std::vector<bool>& certain, const std::vector<bool>& undecided) const {
+  GroupEnergy least = of_words(certain);
+  if (std::find(undecided.begin(), undecided.end(), true) == undecided.end()) return least;
+  std::vector<bool> possible(certain.size());
+  std::transform(certain.begin(), certain.end(), undecided.begin(), possible.begin(), std::logical_or<>());
+  const GroupEnergy most = of_words(possible);
+  least.energy.upper = most.energy.upper;
+  least.share.upper = most.share.upper;
+  least.relative_variance.reset();
+  return least;
+}
+
+std::vector<GroupEnergy> Energies::of_outcomes(const record::Outcomes& outcomes, std::size_t languages) const {
+  std::vector<Sums> of_outcome(outcomes.members.size());
+  for (std::size_t word = 0; word < words_.size(); ++word) add_word(of_outcome[outcomes.of_word[word]], word);
   std::vector<GroupEnergy> energies;
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    Sums sum;
-    for (const auto& [members, sums] : outcomes)
-      if (members[set]) add(sum, sums);
-    energies.push_back(estimate(sum));
+  for (std::size_t language = 0; language < languages; ++language) {
+    Sums sums;
+    for (std::size_t outcome = 0; outcome < of_outcome.size(); ++outcome)
+      if (outcomes.members[outcome][language]) add(sums, of_outcome[outcome]);
+    energies.push_back(estimate(sums));
   }
   return energies;
 }

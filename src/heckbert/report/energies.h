@@ -7,7 +7,10 @@
 // contributions of a group alike, its sum over an entry of energy e from c contributions would have the variance
 // e^2 / c, as that of a Poisson number. They are not alike; by what factor the true variance differs is known from the
 // whole picture, where there are batches, and taken to be the same in the region, and so is the correlation of a group
-// with the rest.
+// with the rest. But where the samples of neighbouring pixels are spread over one another, as Sobol points are, errors
+// of pixels cancel, the more the more pixels there are. How far they do so in the picture is seen by comparing its
+// variance with that of pixels whose errors were independent, which differences between neighbours tell; the variance
+// of a mean of n pixels is then taken to go down as a power of n.
 
 #include <array>
 #include <cstddef>
@@ -46,9 +49,13 @@ class Energies {
   /// The chosen words as one group.
   GroupEnergy of_words(const std::vector<bool>& chosen) const;
 
-  /// Energies of many sets of words, which may overlap, each by word. Words that are in the same sets are added up
-  /// once: O(words x (sets / 64 + batches) + outcomes x sets x batches), of which the sets' number is the small part.
-  std::vector<GroupEnergy> of_sets(const std::vector<std::vector<bool>>& sets) const;
+  /// The words that are certainly in a class as one group, and `undecided` ones that may be in it: energy and share
+  /// are those of the certain ones, their intervals reach from the least to the most that the class can have.
+  GroupEnergy between(const std::vector<bool>& certain, const std::vector<bool>& undecided) const;
+
+  /// Energies of many languages, which may overlap. The words of an outcome are added up once:
+  /// O(words x batches + outcomes x languages x batches), of which the languages' number is the small part.
+  std::vector<GroupEnergy> of_outcomes(const record::Outcomes& outcomes, std::size_t languages) const;
   /// The mean of a value that each word has, none of them negative, over the energy of the part. In a region its spread
   /// is not known.
   record::Estimate mean_over_energy(const std::vector<double>& value_of_word) const;
@@ -62,6 +69,7 @@ class Energies {
     double luminance = 0;     ///< summed over the part's pixels
     double scatter = 0;       ///< e^2 / c summed over the part's pixels
     double scatter_all = 0;   ///< the same over the whole picture
+    double apart_all = 0;     ///< variance of the sum over the picture, were the errors of pixels independent
     OfWord& operator+=(const OfWord& other);
   };
   /// What is known of a set of words: what each batch alone says of it, and its entries.

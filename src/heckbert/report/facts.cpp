@@ -1,5 +1,7 @@
 #include <heckbert/report/facts.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -112,6 +114,21 @@ std::vector<std::string> warnings(const record::RenderInfo& info, const record::
   else if (record::batches_in_use(info) < 2)
     found.push_back("Samples of one batch alone give no confidence intervals; render with two or more per pixel.");
   return found;
+}
+
+std::string folding(const record::Record& record) {
+  if (!record.folding) return {};
+  std::vector<bool> folded(record.words.size());
+  std::fill(folded.begin() + static_cast<std::ptrdiff_t>(record.folding->first), folded.end(), true);
+  const std::vector<bool> all(record.words.size(), true);
+  return fmt::format(
+      "words of more than {} scatterings were too many for the memory: they are folded into {} classes, {} of the "
+      "energy, each "
+      "under its first word; the built-in grammars and what was declared (glossy bounces: {}) stay exact, other "
+      "questions are answered between bounds",
+      record.folding->longest, grouped(record.words.size() - record.folding->first),
+      percent(record::share(record, folded, all).mean),
+      taxonomy::kGlossyRules[static_cast<std::size_t>(record.info.glossy)].name);
 }
 
 std::string summary(const record::RenderInfo& info) {

@@ -26,6 +26,9 @@ std::string termination(const record::RenderInfo& info, const record::Tally& tal
 /// Each one or two sentences; usually none.
 std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally);
 
+/// What became of words that found no room, in a sentence; empty when all did.
+std::string folding(const record::Record& record);
+
 /// "scene, path, 512 x 512 pixels, 64 samples per pixel, seed 1, heckbert 0.1.0"
 std::string summary(const record::RenderInfo& info);
 

@@ -58,6 +58,11 @@ std::string introduction(const Coverage& coverage) {
   std::string notes;
   for (const std::string& warning : warnings(coverage.info, coverage.tally))
     notes += fmt::format("<p class=\"warning\"><strong>Take note.</strong> {}</p>\n", escaped(warning));
+  if (!coverage.part.is_whole())
+    notes += fmt::format(
+        "<p class=\"part\">The numbers on this page are about <strong>{}</strong>; pictures show all "
+        "pixels and words.</p>\n",
+        escaped(coverage.part.description));
   return fmt::format(R"(<header>
 <p class="kind">Light-path coverage</p>
 <h1>{scene}</h1>
@@ -308,6 +313,30 @@ std::string words_section(const Coverage& coverage, const Classification& words,
                      word_table("Words by energy, most first", first, coverage.confidence), rest_line, spread(words));
 }
 
+/// A table for each thing that letters are labelled with; nothing where there are no labels.
+std::string labels_section(std::span<const Classification> labels, std::size_t most) {
+  std::string tables;
+  for (const Classification& by : labels) {
+    std::string rows;
+    for (const WordGroup& group : std::span(by.groups).first(std::min(most, by.groups.size())))
+      rows += fmt::format(R"(<tr><th scope="row">{}</th><td class="number">{}</td><td class="number">{}</td>
+<td class="wide">{}</td></tr>
+)",
+                          escaped(group.name), escaped_percent(group.share.mean), percent_interval(group.share),
+                          bar(group.share));
+    tables += fmt::format(R"(<div><table><caption>By {}</caption>
+<thead><tr><th scope="col">Label</th><th scope="col" class="number">Share</th>
+<th scope="col" class="number">{} interval</th><th scope="col" class="wide"><span class="unseen">Bar</span></th></tr></thead>
+<tbody>
+{}</tbody></table></div>
+)",
+                          escaped(facts(by.by).meaning), level(by.confidence), rows);
+  }
+  if (tables.empty()) return {};
+  return fmt::format(
+      "<section id=\"labels\">\n<h2>What the light met</h2>\n<div class=\"pair\">\n{}</div>\n</section>\n", tables);
+}
+
 /// The buffers of light that no path carries; nothing when the render had none.
 std::string non_path_section(const record::Record& record, float exposure, int width) {
   struct Buffer {
@@ -365,7 +394,7 @@ std::string facts_section(const Coverage& coverage) {
 }  // namespace
 
 std::string html(const record::Record& record, const Coverage& coverage, const Classification& words,
-                 const HtmlOptions& options) {
+                 const HtmlOptions& options, std::span<const Classification> labels) {
   const record::Image beauty = record::beauty(record);
   const float exposure = options.exposure.value_or(auto_exposure(beauty));
   std::string page = fmt::format(R"(<!DOCTYPE html>
@@ -390,6 +419,7 @@ std::string html(const record::Record& record, const Coverage& coverage, const C
   page += shares_section(coverage);
   page += algorithms_section(record, coverage, exposure, options.part_width);
   page += words_section(coverage, words, options.words);
+  page += labels_section(labels, options.words);
   page += non_path_section(record, exposure, options.part_width);
   page += facts_section(coverage);
   page += "</main>\n</body>\n</html>\n";

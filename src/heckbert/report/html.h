@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <heckbert/record/record.h>
@@ -19,9 +20,9 @@ struct HtmlOptions {
   int part_width = 640;             ///< of captured and missed, at most
 };
 
-/// `coverage` and `words`, the classification by word, must come from `record`. The page grows by some two pictures per
-/// grammar.
+/// `coverage`, `words`, the classification by word, and `labels`, those by what the record is labelled with, must come
+/// from the same part of `record`. The page grows by some two pictures per grammar; pictures are of all pixels.
 std::string html(const record::Record& record, const Coverage& coverage, const Classification& words,
-                 const HtmlOptions& options = {});
+                 const HtmlOptions& options = {}, std::span<const Classification> labels = {});
 
 }  // namespace heckbert::report

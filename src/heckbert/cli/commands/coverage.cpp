@@ -19,6 +19,7 @@
 #include <heckbert/report/coverage.h>
 #include <heckbert/report/coverage_json.h>
 #include <heckbert/report/coverage_text.h>
+#include <heckbert/report/facts.h>
 #include <heckbert/report/requirement.h>
 
 namespace heckbert::cli {
@@ -112,6 +113,7 @@ ExitCode run(const CoverageFlags& options) {
   for (const std::string& text : options.requirements) demands.push_back(parse_requirement(text));
   const std::vector<taxonomy::Grammar> grammars = grammars_of(options, demands, settings);
   const record::Record record = read_record(options.record);
+  console.note(report::folding(record));
 
   const report::Coverage coverage =
       report::coverage(record, grammars,

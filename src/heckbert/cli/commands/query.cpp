@@ -79,8 +79,8 @@ ExitCode run(const QueryOptions& options) {
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   const bool single_unnamed = classes.size() == 1 && options.classes.front().find('=') == std::string::npos;
   if (!options.output.empty()) {
-    const std::vector<record::Layer> layers =
-        layers_of(images_of(record, classes), classes, settings.glossy, single_unnamed);
+    std::vector<record::Layer> layers = layers_of(images_of(record, classes), classes, settings.glossy, single_unnamed);
+    add_undecided_layers(record, classes, layers);
     const record::Attachment attachment = options.cryptomatte ? cryptomatte_of(record, classes) : record::Attachment{};
     write_to(options.output, [&](const auto& path) { record::write_layers(layers, record.info, path, attachment); });
     for (const std::string& sentence : renamed(layers)) console.note(sentence);

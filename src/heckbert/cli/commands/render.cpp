@@ -18,6 +18,7 @@
 #include <heckbert/cli/interrupt.h>
 #include <heckbert/cli/languages.h>
 #include <heckbert/cli/layers.h>
+#include <heckbert/cli/memory_budget.h>
 #include <heckbert/cli/pictures.h>
 #include <heckbert/cli/pilot.h>
 #include <heckbert/cli/ranks.h>
@@ -159,6 +160,7 @@ void tell_result(const Console& console, const record::Record& record, const Wor
                            work.seconds, work.seconds > 0 ? static_cast<double>(work.rays) / work.seconds / 1e6 : 0,
                            report::counted(record.words.size(), "word")));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
+  console.note(report::folding(record));
   for (const ClassOfRecord& item : classes) {
     console.note(describe(item));
     console.note(item.never);
@@ -245,6 +247,7 @@ TracingJob job_of(const RenderOptions& options, const Settings& settings, const 
   TracingJob job{.settings = render, .info = transport::info_of(imported.scene, render)};
   job.info.scene = options.scene;
   job.info.ignored = imported.account.ignored;
+  job.info.glossy = settings.glossy;
   job.checkpoint = settings.checkpoint;
   job.resume = options.resume;
   job.keep = outputs.record;
@@ -311,8 +314,13 @@ ExitCode run(const RenderOptions& options) {
   bool is_done = false;
   // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks and what walks from the
   // light find; all else is let go tile by tile.
-  if (transport::facts(render.algorithm).from_light || options.exact || options.cryptomatte || job.checkpoint ||
-      !job.resume.empty() || render.part.of > 1) {
+  const bool in_memory = transport::facts(render.algorithm).from_light || options.exact || options.cryptomatte ||
+                         job.checkpoint || !job.resume.empty() || render.part.of > 1;
+  if (in_memory && settings.memory)
+    throw UsageError(
+        "--memory: a render in pieces, from the light, with --exact or with --cryptomatte is held in memory as a "
+        "whole");
+  if (in_memory) {
     sums = trace(imported.scene, job, console, interrupt.stop(), work);
     if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
     if (!sums) {
@@ -324,9 +332,12 @@ ExitCode run(const RenderOptions& options) {
     job.info.precision = precision;
     std::vector<taxonomy::Language> languages;
     for (const taxonomy::Grammar& grammar : grammars) languages.push_back(grammar.language);
-    streamed.emplace(job.info, outputs.record, languages, settings.glossy);
+    std::optional<record::FoldRule> folding;
+    if (settings.memory) folding = fold_rule(*settings.memory, job.info, grammars);
+    streamed.emplace(job.info, outputs.record, languages, settings.glossy, folding);
     is_done = trace(imported.scene, job, console, interrupt.stop(), work, *streamed);
-    if (!is_done && !outputs.record.empty()) sums = streamed->spool.sums(true);  // to be resumed
+    if (!is_done && !outputs.record.empty() && !streamed->spool.is_folded())
+      sums = streamed->spool.sums(true);  // to be resumed
   }
 
   const bool keeps_sums = sums && (options.exact || sums->info.partial || !sums->info.parts.empty());

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/asked_part.h>
 #include <heckbert/cli/asked_record.h>
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
@@ -23,7 +24,8 @@ namespace {
 struct ReportOptions {
   std::string record, output;
   std::vector<std::string> grammars;  ///< none: the teaching set
-  std::string sheet;                  ///< empty: not wanted
+  PartFlags part;
+  std::string sheet;  ///< empty: not wanted
   bool json = false;
   SettingFlags flags;
 };
@@ -34,6 +36,7 @@ void declare(CLI::App& command, ReportOptions& options) {
       ->type_name("FILE.html")
       ->required();
   add_grammars(command, options.grammars);
+  add_part(command, options.part);
   command.add_option("--sheet", options.sheet, "also the contact sheet as a PNG")->type_name("FILE.png");
   command.add_flag("--json", options.json, "print the names of the files as JSON");
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
@@ -42,7 +45,8 @@ void declare(CLI::App& command, ReportOptions& options) {
 constexpr const char* kExamples =
     "  heckbert report cornell.paths.exr -o cornell.html\n"
     "  heckbert report cornell.paths.exr -o cornell.html --sheet cornell-sheet.png --glossy specular\n"
-    "  heckbert report cornell.paths.exr -o cornell.html --grammar whitted --grammar photon-mapping\n";
+    "  heckbert report cornell.paths.exr -o cornell.html --grammar whitted --grammar photon-mapping\n"
+    "  heckbert report labelled.paths.exr -o pixel.html --pixel 90,90\n";
 
 ExitCode run(const ReportOptions& options) {
   const Settings settings = resolve(options.flags);
@@ -54,12 +58,18 @@ ExitCode run(const ReportOptions& options) {
   const std::vector<taxonomy::Grammar> grammars = find_to_cover(options.grammars, "--grammar", settings);
   const record::Record record = read_record(options.record);
 
-  const report::Coverage coverage =
-      report::coverage(record, grammars, {.glossy_rule = settings.glossy, .confidence = settings.confidence});
-  const report::Classification words =
-      report::classify(record, report::GroupBy::Word, taxonomy::GrammarLibrary{},
-                       {.glossy_rule = settings.glossy, .confidence = settings.confidence});
-  write_bytes(options.output, report::html(record, coverage, words));
+  const report::Part part = part_of(options.part, record, settings);
+  const report::Coverage coverage = report::coverage(
+      record, grammars, {.glossy_rule = settings.glossy, .confidence = settings.confidence, .part = part});
+  const auto classified = [&](report::GroupBy by) {
+    return report::classify(record, by, taxonomy::GrammarLibrary{},
+                            {.glossy_rule = settings.glossy, .confidence = settings.confidence, .part = part});
+  };
+  std::vector<report::Classification> labels;
+  if (!record.info.labels.empty())
+    for (const report::GroupBy by : {report::GroupBy::Seen, report::GroupBy::Label, report::GroupBy::Light})
+      labels.push_back(classified(by));
+  write_bytes(options.output, report::html(record, coverage, classified(report::GroupBy::Word), {}, labels));
   if (!options.sheet.empty()) write_bytes(options.sheet, png_of(report::contact_sheet(record, coverage)));
   if (options.json) {
     report::Json json = report::document_of("heckbert.report");
