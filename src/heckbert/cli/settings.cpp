@@ -96,7 +96,7 @@ const std::vector<Setting>& all_settings() {
          [](Settings& s, const std::string& t) { s.part = parse_part(t); }},
         {"checkpoint", "SECONDS", Scope::Rendering, "", "write what is there to the --record file every so often",
          [](Settings& s, const std::string& t) { s.checkpoint = number_between(t, 0, 1e7); }},
-        {"memory", "SIZE", Scope::Tracing, "", "keep to this much memory, such as 2G, by folding long words",
+        {"memory", "SIZE", Scope::Rendering, "", "keep to this much memory, such as 2G, by folding long words",
          [](Settings& s, const std::string& t) { s.memory = parse_bytes(t); }},
         {"threads", "N", Scope::Tracing, "", "threads to trace with; 0 for all cores (default); changes no pixel",
          [](Settings& s, const std::string& t) { s.threads = whole(t, 0, kMaxThreads); }},

@@ -241,7 +241,6 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
   result.ambient = mean_luminance(record, options.part, record.ambient);
   result.phantom = mean_luminance(record, options.part, record.phantom);
   result.words = ranking.all();
-  std::erase_if(result.words, [](const WordEnergy& word) { return word.count == 0; });  // of other pixels
   for (const taxonomy::Grammar& grammar : grammars) {
     if (!taxonomy::has_language(grammar)) {
       result.left_out.push_back({grammar.name, grammar.title, taxonomy::why_no_language(grammar)});

@@ -35,10 +35,8 @@ class Differences {
     next_ = -1;
     last_ = before_ = 0;
   }
-  /// The sum of the variances of all pixels; infinite in a picture too narrow to tell.
-  double variance(int width) const {
-    return width < 3 ? std::numeric_limits<double>::infinity() : squares_ / 6 * width / (width - 2);
-  }
+  /// The sum of the variances of all pixels; 0 in a picture too narrow to tell.
+  double variance(int width) const { return width < 3 ? 0.0 : squares_ / 6 * width / (width - 2); }
 
  private:
   void pass_zeros(int end) {
