@@ -5,6 +5,7 @@
 
 #include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/simplest.h>
+#include <heckbert/taxonomy/work.h>
 
 #include "oracle/regex.h"
 
@@ -61,6 +62,19 @@ TEST(SimplestExpression, IsWhatAPersonWouldWrite) {
   for (const Case& c : cases) {
     EXPECT_EQ(simplest_expression(compile(c.expression)), c.simplest) << c.expression;
     EXPECT_EQ(compile(c.simplest), compile(c.expression)) << c.expression;
+  }
+}
+
+// Automata that edits would make too large, and more letters with labels than edits could ever be tried on.
+TEST(SimplestExpression, TakesABoundedNumberOfSteps) {
+  std::string labels = "L ";
+  for (int i = 0; i < 18; ++i) labels += "[D'" + std::to_string(i) + "'S] ";
+  for (const std::string& text : {std::string("L .* D.* .{24} E"), labels + "E"}) {
+    const Language language = compile(text);
+    const WorkLimit limit(kUnlimitedSteps);
+    const auto simplest = simplest_expression(language);
+    EXPECT_LT(limit.spent(), 20'000'000u) << text;
+    EXPECT_TRUE(!simplest || compile(*simplest) == language) << text;
   }
 }
 

@@ -9,13 +9,15 @@
 #include <heckbert/taxonomy/regular_expression.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/taxonomy/tree_language.h>
+#include <heckbert/taxonomy/work.h>
 
 namespace heckbert::taxonomy {
 
 namespace {
 
-constexpr std::size_t kLongest = 2'000;    // characters of a text that somebody might read
-constexpr std::size_t kEditedNodes = 150;  // larger trees are left as elimination made them
+constexpr std::size_t kLongest = 2'000;         // characters of a text that somebody might read
+constexpr std::size_t kEditedNodes = 150;       // larger trees are left as elimination made them
+constexpr std::size_t kEditSteps = 10'000'000;  // for all edits together
 
 // ---- text ----------------------------------------------------------------------------------------------------------
 
@@ -207,16 +209,32 @@ std::vector<Node> edits(const Node& node, const std::vector<LetterSet>& sets) {
   return out;
 }
 
+/// The same language, as far as that can be told in the steps that are left.
+bool means(const Node& tree, const Language& language) {
+  try {
+    return language_of(tree) == language;
+  } catch (const LimitError&) {
+    return false;
+  }
+}
+
 class Editor {
  public:
-  Editor(Node& root, const Language& language) : root_(root), language_(language) {}
+  /// Takes no more than `steps`, and takes off what it took.
+  Editor(Node& root, const Language& language, std::size_t& steps) : root_(root), language_(language), steps_(steps) {}
 
   void run() {
-    while (size_of(root_) <= kEditedNodes) {
-      sets_ = {kEvents, with_letter('D') | with_letter('G') | with_letter('S')};
-      collect_sets(root_, sets_);
-      if (!improve(root_)) return;
+    const WorkLimit limit(steps_);
+    try {
+      while (size_of(root_) <= kEditedNodes) {
+        sets_ = {kEvents, with_letter('D') | with_letter('G') | with_letter('S')};
+        collect_sets(root_, sets_);
+        if (!improve(root_)) break;
+      }
+    } catch (const LimitError&) {
+      // What was made shorter until then stands.
     }
+    steps_ -= limit.spent();
   }
 
  private:
@@ -228,9 +246,9 @@ class Editor {
       for (Node& tree : eliminated(here)) candidates.push_back(std::move(tree));
     for (Node& candidate : candidates) {
       if (text_of(candidate).size() >= length) continue;
-      const bool is_same_here = language_of(candidate) == here;
+      const bool is_same_here = means(candidate, here);
       std::swap(node, candidate);
-      if (is_same_here || language_of(root_) == language_) return true;
+      if (is_same_here || means(root_, language_)) return true;
       std::swap(node, candidate);
     }
     for (Node& child : node.children)
@@ -240,14 +258,15 @@ class Editor {
 
   Node& root_;
   const Language& language_;
+  std::size_t& steps_;
   std::vector<LetterSet> sets_;
 };
 
 /// The shortest of the trees found for a language of events, not empty.
-std::optional<Node> shortest_tree(const Language& events) {
+std::optional<Node> shortest_tree(const Language& events, std::size_t& steps) {
   std::optional<Node> best;
   for (Node& tree : eliminated(events)) {
-    Editor(tree, events).run();
+    Editor(tree, events, steps).run();
     if (!best || text_of(tree).size() < text_of(*best).size()) best = std::move(tree);
   }
   return best;
@@ -304,10 +323,10 @@ std::vector<Piece> pieces_of(const Language& words) {
   return columns;
 }
 
-std::optional<std::string> text_of(const std::vector<Piece>& pieces) {
+std::optional<std::string> text_of(const std::vector<Piece>& pieces, std::size_t& steps) {
   std::string text;
   for (const Piece& piece : pieces) {
-    const auto tree = shortest_tree(piece.events);
+    const auto tree = shortest_tree(piece.events, steps);
     if (!tree) return std::nullopt;
     const std::string middle = spaced(*tree);
     text += (text.empty() ? "" : " | ") + write(piece.lights) + (middle.empty() ? "" : " " + middle) + " " +
@@ -337,12 +356,17 @@ std::optional<std::string> simplest_expression(const Language& language) {
   const Language words = language & Language::universe();
   if (words.is_empty()) return "L E - L E";
   const std::vector<Piece> pieces = pieces_of(words);
-  std::optional<std::string> best = text_of(pieces);
+  std::size_t steps = kEditSteps;
+  std::optional<std::string> best = text_of(pieces, steps);
   for (const auto& way : ways_to_share(pieces))
-    if (auto text = text_of(way); text && (!best || text->size() < best->size())) best = std::move(text);
-  if (best && compile(*best) != words)
-    throw std::logic_error("internal error: '" + *best + "' is not the language that it was made from");
-  return best;
+    if (auto text = text_of(way, steps); text && (!best || text->size() < best->size())) best = std::move(text);
+  if (!best) return std::nullopt;
+  try {
+    if (compile(*best) == words) return best;
+  } catch (const LimitError&) {
+    return std::nullopt;  // a text that cannot be read back is none
+  }
+  throw std::logic_error("internal error: '" + *best + "' is not the language that it was made from");
 }
 
 }  // namespace heckbert::taxonomy
