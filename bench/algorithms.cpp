@@ -1,6 +1,6 @@
-// What each algorithm costs at equal samples: processor time over that of the path tracer, on the same scene, one thread,
-// in turn; the median of the ratios of each pair. Aim: bidirectional path tracing at most 3.5 times. An algorithm that
-// takes no such scene is left out.
+// What each algorithm costs at equal samples: processor time over that of the path tracer, on the same scene, one
+// thread, in turn; the median of the ratios of each pair. Aim: bidirectional path tracing at most 3.5 times. An
+// algorithm that takes no such scene is left out.
 //
 // Usage: algorithms [ROUNDS [SAMPLES_PER_PIXEL [SIZE]]]     defaults 3 16 128
 

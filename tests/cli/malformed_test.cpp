@@ -137,7 +137,11 @@ std::vector<Malformed> scenes() {
   return {
       {"unknown scene", {"render", "cornel", "-o", "x.exr"}, 3, {"no scene \"cornel\"", "did you mean \"cornell\"?"}},
       {"missing scene", {"render", "s.json", "-o", "x.exr"}, 3, {"s.json", "No such file or directory"}},
-      {"unknown kind of scene", {"render", "s.xyz", "-o", "x.exr"}, 3, {"expected .json, .obj or .xml"}, {{"s.xyz", "x"}}},
+      {"unknown kind of scene",
+       {"render", "s.xyz", "-o", "x.exr"},
+       3,
+       {"expected .json, .obj or .xml"},
+       {{"s.xyz", "x"}}},
       check("empty scene", "", {"s.json:1:1: error: this is not JSON"}),
       check("torn scene", R"({"camera": )", {"s.json:1:", "this is not JSON: unexpected end of input"}),
       check("no scene but a list", "[]", {"s.json:1:1: error: "}),

@@ -104,6 +104,37 @@ TEST(ReadRecord, RefusesAnAttributeThatReachesBeyondTheFile) {
   EXPECT_NE(whole.find(type), whole.rfind(type));
 }
 
+// OpenEXR reads four bytes of an int whatever its size, and what then follows is taken for the next attribute; and it
+// would allocate what a text within a list of texts promises.
+TEST(ReadRecord, RefusesSizesThatDoNotFitTheTypeOfAnAttribute) {
+  using namespace std::string_literals;
+  const TemporaryFolder folder;
+  write_record(good_record(), folder / "whole.exr");
+  const std::string whole = bytes_of(folder / "whole.exr");
+  struct Case {
+    std::string attribute;
+    std::size_t behind;  // where the bytes go
+    std::string bytes;
+  };
+  for (const auto& [attribute, behind, bytes] :
+       {Case{"heckbert.max_depth\0int\0"s, 0, "\x08\0\0\0"s},
+        Case{"heckbert.words\0stringvector\0"s, 4, "\xF0\xFF\xFF\x7F"s}, Case{"channels\0chlist\0"s, 4, "\0"s}}) {
+    const std::size_t at = whole.find(attribute);
+    ASSERT_NE(at, std::string::npos) << attribute;
+    std::string damaged = whole;
+    damaged.replace(at + attribute.size() + behind, bytes.size(), bytes);
+    put_bytes(folder / "damaged.exr", damaged);
+    const std::string name(attribute.c_str());
+    EXPECT_THAT(read_message(folder / "damaged.exr"), HasSubstr("sizes do not fit in the attribute '" + name + "'"));
+  }
+}
+
+// What fuzzing starts from must not be refused for its layout alone.
+TEST(ReadRecord, ReadsTheCorpusOfItsFuzzTarget) {
+  for (const char* name : {"ambient", "exact", "float", "half", "labelled", "part"})
+    EXPECT_GT(read_record(fs::path(HECKBERT_SOURCE_DIR) / "tests/fuzz/corpus/record" / name).words.size(), 0u) << name;
+}
+
 /// Whatever bytes are damaged, reading ends in an error or in a record. 600 files, two bytes replaced in each, seed 32.
 TEST(ReadRecord, SurvivesDamagedBytes) {
   const TemporaryFolder folder;

@@ -18,6 +18,8 @@
 #include <thread>
 #include <utility>
 
+#include <heckbert/record/header_check.h>
+
 namespace heckbert::record::exr {
 
 namespace {
@@ -68,29 +70,6 @@ taxonomy::GlossyRule glossy_of(const std::string& name) {
 
 [[noreturn]] void refuse_number(const std::string& digits, const std::string& name) {
   throw std::runtime_error(fmt::format("the header attribute '{}' is '{}', not a whole number", name, digits));
-}
-
-// Each attribute says how many bytes its value has, and OpenEXR allocates them before it reads. So none may promise
-// more than is left of the file. Source: "OpenEXR File Layout", openexr.com: an attribute is name, type, size, value;
-// an empty name ends a header, and in a file of several parts one more ends the list of headers.
-void check_attribute_sizes(std::istream& in, std::uint64_t file_bytes) {
-  std::array<char, 8> magic_and_version{};
-  in.read(magic_and_version.data(), magic_and_version.size());
-  const bool is_single_part = (magic_and_version[5] & 0x10) == 0;
-  std::string name, type;
-  while (std::getline(in, name, '\0')) {
-    if (name.empty()) {
-      if (is_single_part || in.peek() == '\0') return;
-      continue;
-    }
-    std::array<unsigned char, 4> size{};
-    std::getline(in, type, '\0').read(reinterpret_cast<char*>(size.data()), size.size());
-    std::uint64_t bytes = 0;
-    for (std::size_t i = size.size(); i-- > 0;) bytes = bytes << 8 | size[i];
-    if (!in || bytes > file_bytes - static_cast<std::uint64_t>(in.tellg()))
-      throw std::runtime_error(fmt::format("the file is damaged: its header ends inside the attribute '{}'", name));
-    in.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
-  }
 }
 
 Imf::StringVector texts_of(const std::vector<SampleRange>& parts) {
@@ -242,7 +221,7 @@ std::uint64_t check_is_exr(const std::filesystem::path& path) {
   if (!in) throw std::runtime_error(std::generic_category().message(errno));
   if (!Imf::isOpenExrFile(path.c_str())) throw std::runtime_error("this is not an OpenEXR file");
   const std::uint64_t file_bytes = std::filesystem::file_size(path);
-  check_attribute_sizes(in, file_bytes);
+  check_headers(in, file_bytes);
   return file_bytes;
 }
 

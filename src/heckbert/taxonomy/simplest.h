@@ -13,7 +13,8 @@
 namespace heckbert::taxonomy {
 
 /// "L N? S* E": compile() of it is the language, which is checked. Nothing when the text would be longer than anybody
-/// reads, or take more to read than compile() allows. The language is a set of words. Errors: std::logic_error when the check fails, a defect of this program.
+/// reads, or take more to read than compile() allows. The language is a set of words. Errors: std::logic_error when the
+/// check fails, a defect of this program.
 std::optional<std::string> simplest_expression(const Language& language);
 
 }  // namespace heckbert::taxonomy

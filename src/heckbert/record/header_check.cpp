@@ -1,0 +1,147 @@
+#include <heckbert/record/header_check.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace heckbert::record::exr {
+
+namespace {
+
+struct FixedSize {
+  std::string_view type;
+  std::uint64_t bytes;
+};
+
+/// The types whose values have one size. Of the others, OpenEXR takes all bytes as they are, or they are read below.
+constexpr auto kFixedSizes = std::to_array<FixedSize>({
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+});
+
+/// What is left of a value or of the file.
+class Bytes {
+ public:
+  Bytes(std::istream& in, std::uint64_t left) : in_(in), left_(left) {}
+
+  std::uint64_t left() const { return left_; }
+  bool skip(std::uint64_t count) {
+    if (count > left_) return false;
+    in_.seekg(static_cast<std::streamoff>(count), std::ios::cur);
+    left_ -= count;
+    return in_.good();
+  }
+  /// A number of four bytes, little-endian; nothing where there is none.
+  std::optional<std::uint32_t> number() {
+    std::array<unsigned char, 4> bytes{};
+    if (bytes.size() > left_ || !in_.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return std::nullopt;
+    left_ -= bytes.size();
+    std::uint32_t value = 0;
+    for (std::size_t i = bytes.size(); i-- > 0;) value = value << 8 | bytes[i];
+    return value;
+  }
+  /// Up to a zero byte, which is taken too; nothing where there is none.
+  std::optional<std::string> text() {
+    std::string text;
+    for (char c = 0; left_ > 0 && in_.get(c); text += c) {
+      --left_;
+      if (c == '\0') return text;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::istream& in_;
+  std::uint64_t left_;
+};
+
+bool is_list_of_texts(Bytes value) {
+  while (value.left() > 0) {
+    const auto length = value.number();
+    if (!length || !value.skip(*length)) return false;
+  }
+  return true;
+}
+
+bool is_list_of_channels(Bytes value) {
+  constexpr std::uint64_t kAfterName = 16;  // pixel type, linearity, two sampling rates
+  for (;;) {
+    const auto name = value.text();
+    if (!name) return false;
+    if (name->empty()) return value.left() == 0;
+    if (!value.skip(kAfterName)) return false;
+  }
+}
+
+bool is_preview(Bytes value) {
+  const auto width = value.number(), height = value.number();
+  return width && height && value.left() == 4 * std::uint64_t{*width} * *height;
+}
+
+bool fits(std::string_view type, Bytes value) {
+  const auto fixed = std::ranges::find(kFixedSizes, type, &FixedSize::type);
+  if (fixed != kFixedSizes.end()) return value.left() == fixed->bytes;
+  if (type == "stringvector") return is_list_of_texts(value);
+  if (type == "chlist") return is_list_of_channels(value);
+  if (type == "preview") return is_preview(value);
+  return true;
+}
+
+void check_header(Bytes& file, std::istream& in) {
+  for (;;) {
+    const auto name = file.text();
+    const auto refuse = [&](std::string_view why) {
+      throw std::runtime_error(fmt::format("the file is damaged: {} '{}'", why, name.value_or("")));
+    };
+    if (!name) refuse("its header ends inside the attribute");
+    if (name->empty()) return;
+    const auto type = file.text();
+    const auto size = file.number();
+    if (!type || !size || *size > file.left()) refuse("its header ends inside the attribute");
+    const auto value = in.tellg();
+    if (!fits(*type, Bytes(in, *size))) refuse("sizes do not fit in the attribute");
+    in.clear();
+    in.seekg(value);
+    file.skip(*size);
+  }
+}
+
+}  // namespace
+
+void check_headers(std::istream& in, std::uint64_t file_bytes) {
+  Bytes file(in, file_bytes);
+  constexpr std::uint32_t kSeveralParts = 1u << 12;
+  file.number();
+  const bool is_single = (file.number().value_or(0) & kSeveralParts) == 0;
+  do check_header(file, in);
+  while (!is_single && in.peek() != '\0');  // an empty header ends the list
+}
+
+}  // namespace heckbert::record::exr
