@@ -185,11 +185,13 @@ TEST(Solver, ShootingKeepsTheFluxOfAClosedRoom) {
   std::vector<Rgb> albedos(n, Rgb(0.5f)), exitances(n);
   exitances[2] = Rgb(100);
   const auto power = power_of_bounces(patches.mesh, solve_by_shooting(patches, albedos, exitances, 12, {128, 1}));
-  ASSERT_GE(power.size(), 8u);
+  ASSERT_GE(power.size(), 5u);
   double expected = 100.0 * patches.mesh.patches[1].area;
-  for (std::size_t bounce = 0; bounce < 8; ++bounce, expected *= 0.5)
-    // What is left unshot is missing from the last bounces.
-    EXPECT_NEAR(power[bounce], expected, 1e-5 * expected + 2e-5 * power[0]) << bounce;
+  for (std::size_t bounce = 0; bounce < 5; ++bounce, expected *= 0.5) {
+    // What is left unshot is missing from the later bounces.
+    EXPECT_LT(power[bounce], expected * (1 + 1e-5)) << bounce;
+    EXPECT_GT(power[bounce], expected * (1 - 1e-5) - 2 * kLeastShot * power[0]) << bounce;
+  }
 }
 
 TEST(Solver, ShootingAndGatheringAgree) {
@@ -201,9 +203,9 @@ TEST(Solver, ShootingAndGatheringAgree) {
     if (mesh.parts[mesh.patches[side / 2].part].material == 1 && side % 2 == 0) exitances[side] = Rgb(1);
   std::vector<Mean> difference(4), level(4);
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const FormFactors factors(patches, std::vector<bool>(n, true), {128, seed});
+    const FormFactors factors(patches, std::vector<bool>(n, true), {64, seed});
     const auto gathered = power_of_bounces(mesh, solve_by_gathering(mesh, factors, albedos, exitances, 4));
-    const auto shot = power_of_bounces(mesh, solve_by_shooting(patches, albedos, exitances, 4, {128, seed + 100}));
+    const auto shot = power_of_bounces(mesh, solve_by_shooting(patches, albedos, exitances, 4, {64, seed + 100}));
     for (std::size_t bounce = 0; bounce < 4; ++bounce) {
       difference[bounce].add(gathered[bounce] - shot[bounce]);
       level[bounce].add(shot[bounce]);
@@ -211,7 +213,8 @@ TEST(Solver, ShootingAndGatheringAgree) {
   }
   for (std::size_t bounce = 0; bounce < 4; ++bounce) {
     // 1 % for four bounces after Sidak, Student with 11 degrees of freedom; what shooting leaves unshot is missing.
-    EXPECT_NEAR(difference[bounce].mean(), 0, 3.90 * difference[bounce].standard_error() + 2e-5 * level[0].mean())
+    EXPECT_NEAR(difference[bounce].mean(), 0,
+                3.90 * difference[bounce].standard_error() + 2 * kLeastShot * level[0].mean())
         << bounce;
     EXPECT_LT(difference[bounce].standard_error(), 0.01 * level[bounce].mean()) << bounce;
   }
@@ -240,36 +243,34 @@ std::vector<double> mean_irradiance(const RadiositySolution& solution, const Rad
 }
 
 // A1 of docs/anchors.md: in a unit ball of albedo 1/2 with a point light of intensity pi in the middle, every bounce is
-// half the one before it. A polyhedron inside is nearer to the light, by the square of its edges.
-TEST(Radiosity, InABallConvergesWithTheSquareOfTheEdges) {
+// half the one before it. Direct light is that of the ball itself, whose polyhedron exchanges the rest evenly too.
+TEST(Radiosity, InABallEveryBounceIsHalfTheLast) {
   Scene scene = inside_sphere(diffuse(0.5f));
   scene.point_lights.push_back({.position = {0, 0, 0}, .intensity = Rgb(std::numbers::pi_v<float>)});
-  std::vector<double> error;
-  for (const float edge : {0.5f, 0.25f, 0.125f}) {
-    const auto solution = solve(scene, {.longest_edge = edge / std::sqrt(12.0f), .refinements = 0});
-    ASSERT_EQ(solution.lights().size(), 1u);
-    const auto& light = solution.lights()[0];
-    EXPECT_EQ(light.kind, taxonomy::Symbol::Lp);
-    // Outer sides receive nothing; the mean is over both.
-    const auto means = mean_irradiance(solution, light);
-    error.push_back(2 * means[0] / kPiD - 1);
-    for (std::size_t bounce = 1; bounce < 5; ++bounce)
-      EXPECT_NEAR(means[bounce] / means[bounce - 1], 0.5, 0.003) << bounce;
-  }
-  EXPECT_GT(error[0], 0.01);
-  EXPECT_NEAR(error[0] / error[1], 4, 1);
-  EXPECT_NEAR(error[1] / error[2], 4, 1);
+  const auto solution = solve(scene, {.longest_edge = 0.07f, .refinements = 0});
+  ASSERT_EQ(solution.lights().size(), 1u);
+  const auto& light = solution.lights()[0];
+  EXPECT_EQ(light.kind, taxonomy::Symbol::Lp);
+  for (std::size_t side = 0; side < solution.mesh().side_count(); ++side)
+    EXPECT_NEAR(light.irradiance[0][side].g, side % 2 == 0 ? 0 : kPiD, 1e-4);
+  const auto means = mean_irradiance(solution, light);
+  for (std::size_t bounce = 1; bounce < 5; ++bounce)
+    EXPECT_NEAR(means[bounce] / means[bounce - 1], 0.5, 0.002) << bounce;
 }
 
 TEST(Radiosity, InAFurnaceEveryBounceIsTheAlbedoTimesTheLast) {
-  const auto solution = solve(furnace(0.5f, 0), {.refinements = 0});
+  const auto solution = solve(furnace(0.5f, 0), {.longest_edge = 0.2f, .refinements = 0, .rays_per_side = 1024});
   ASSERT_EQ(solution.lights().size(), 1u);
-  for (std::size_t bounce = 1; bounce <= 6; ++bounce)
+  const auto means = mean_irradiance(solution, solution.lights()[0]);
+  for (std::size_t bounce = 0; bounce < 6; ++bounce) {
+    // Outer sides receive nothing; the mean is over both.
+    const double expected = kPiD * std::pow(0.5, static_cast<double>(bounce));
+    EXPECT_NEAR(2 * means[bounce], expected, 0.003 * expected) << bounce;
     for (std::size_t side = 0; side < solution.mesh().side_count(); side += 2) {
       const RadiositySolution::Place middle{side, {1.0f / 3, 1.0f / 3, 1.0f / 3}};
-      const double expected = kPiD * std::pow(0.5, static_cast<double>(bounce - 1));
-      EXPECT_NEAR(solution.irradiance(0, bounce, middle).g, expected, 0.03 * expected) << bounce << ' ' << side;
+      EXPECT_NEAR(solution.irradiance(0, bounce + 1, middle).g, expected, 0.05 * expected) << bounce << ' ' << side;
     }
+  }
 }
 
 TEST(Radiosity, SkyAndSunAreKindsOfTheirOwn) {
@@ -333,7 +334,7 @@ TEST(Radiosity, SplitsPatchesWhereLightBends) {
   add(scene, make_box({-1, -1, -1}, {1, 1, 1}, true), diffuse(0.6f));
   add(scene, make_quad({-0.9f, 0.98f, -0.9f}, {1.8f, 0, 0}, {0, 0, 1.8f}), emitter(1));
   add(scene, make_box({-0.5f, -0.8f, -0.5f}, {0.5f, -0.6f, 0.5f}), diffuse(0.3f));
-  const RadiositySettings coarse{.longest_edge = 0.12f, .refinements = 0, .rays_per_side = 512};
+  const RadiositySettings coarse{.longest_edge = 0.2f, .refinements = 0, .rays_per_side = 128};
   RadiositySettings refined = coarse;
   refined.refinements = 2;
   RadiositySettings fine = coarse;
@@ -355,6 +356,138 @@ TEST(Radiosity, SplitsPatchesWhereLightBends) {
     squares[1] += std::pow(some.irradiance(0, 1, *in_some).g - truth, 2);
   }
   EXPECT_LT(std::sqrt(squares[1]), 0.5 * std::sqrt(squares[0]));
+}
+
+// ---- pictures ----------------------------------------------------------------------------------------------------
+// Radiosity is consistent but biased: word by word, its picture tends to the path tracer's as patches become smaller.
+
+/// The root of the mean square of the differences between two pictures of a word over blocks of 8 pixels a side,
+/// relative to the mean of the second; and the relative difference of their means.
+struct Difference {
+  double over_blocks = 0, of_means = 0;
+};
+Difference difference(const record::Record& a, const record::Record& b, const std::string& word) {
+  const auto language = taxonomy::compile(word);
+  const record::Image of_a = record::image_of(a, record::members(a, language));
+  const record::Image of_b = record::image_of(b, record::members(b, language));
+  constexpr int kBlock = 8;
+  const int side = of_a.window.width();
+  double squares = 0, sum_a = 0, sum_b = 0;
+  for (int y = 0; y < side; y += kBlock)
+    for (int x = 0; x < side; x += kBlock) {
+      double block_a = 0, block_b = 0;
+      for (int i = 0; i < kBlock * kBlock; ++i) {
+        const auto pixel = static_cast<std::size_t>((y + i / kBlock) * side + x + i % kBlock);
+        block_a += of_a.pixels[pixel].g;
+        block_b += of_b.pixels[pixel].g;
+      }
+      squares += (block_a - block_b) * (block_a - block_b);
+      sum_a += block_a;
+      sum_b += block_b;
+    }
+  const double blocks = side / kBlock * (side / kBlock);
+  return {std::sqrt(squares / blocks) / (sum_b / blocks), sum_a / sum_b - 1};
+}
+
+// Both differences about halve with the edges; seen at the finest: 1.5 to 2.6 % over blocks and 0.2 to 0.8 % of the
+// mean in the cube, 3.1 to 4.6 % and 0.8 to 1.9 % in the Cornell box, where light ends at the feet of the blocks.
+void expect_convergence(const Scene& scene) {
+  RenderSettings settings{.width = 48, .height = 48, .samples_per_pixel = 512, .max_depth = 5};
+  const record::Record truth = render(scene, settings);
+  settings.algorithm = AlgorithmId::Radiosity;
+  settings.samples_per_pixel = 64;
+  std::map<std::string, std::vector<Difference>> differences;
+  for (const auto& [edge, rays] : {std::pair{0.4f, 4096}, {0.2f, 1024}, {0.1f, 256}}) {
+    settings.method.radiosity = {.longest_edge = edge, .refinements = 0, .rays_per_side = rays};
+    const record::Record solved = render(scene, settings);
+    for (const char* word : {"LDE", "LDDE", "LDDDE", "LDDDDE"})
+      differences[word].push_back(difference(solved, truth, word));
+  }
+  for (const auto& [word, by_edge] : differences) {
+    for (std::size_t i = 1; i < by_edge.size(); ++i) {
+      EXPECT_LT(by_edge[i].over_blocks, 0.7 * by_edge[i - 1].over_blocks) << word << ' ' << i;
+      EXPECT_LT(std::abs(by_edge[i].of_means), 0.7 * std::abs(by_edge[i - 1].of_means)) << word << ' ' << i;
+    }
+    EXPECT_LT(by_edge.back().over_blocks, 0.06) << word;
+    EXPECT_LT(std::abs(by_edge.back().of_means), 0.02) << word;
+  }
+}
+
+/// A unit cube with a lamp below its ceiling.
+Scene room_with_lamp() {
+  Scene scene;
+  add(scene, make_box(glm::vec3(0), glm::vec3(1), true), diffuse(0.5f));
+  add(scene, make_quad({0.25f, 0.99f, 0.25f}, {0.5f, 0, 0}, {0, 0, 0.5f}), emitter(5));
+  scene.camera = {.position = {0.5f, 0.5f, 0.98f}, .look_at = {0.5f, 0.5f, 0}, .vertical_fov_degrees = 90};
+  return scene;
+}
+
+TEST(RadiosityPicture, ConvergesToThePathTracersInAClosedCube) {
+  expect_convergence(room_with_lamp());
+}
+
+TEST(RadiosityPicture, ConvergesToThePathTracersInACornellBox) {
+  Scene scene = room_with_lamp();
+  add(scene, make_box({0.15f, 0, 0.15f}, {0.45f, 0.6f, 0.45f}), diffuse(0.7f));
+  add(scene, make_box({0.55f, 0, 0.45f}, {0.85f, 0.3f, 0.75f}), diffuse(0.7f));
+  expect_convergence(scene);
+}
+
+TEST(RadiosityPicture, ShowsPatchesInMirrorsAndOnlyWithThem) {
+  Scene scene = room_with_lamp();
+  add(scene, Sphere{{0.5f, 0.3f, 0.3f}, 0.25f}, {.name = "mirror", .lobes = {Mirror{Rgb(0.8f)}}});
+  RenderSettings settings{.width = 32, .height = 32, .samples_per_pixel = 256, .max_depth = 4};
+  const auto truth = render(scene, settings);
+  settings.method.radiosity = {.longest_edge = 0.1f, .refinements = 0};
+  settings.algorithm = AlgorithmId::Radiosity;
+  const auto plain = render(scene, settings);
+  settings.algorithm = AlgorithmId::RadiosityMirrors;
+  const auto mirrored = render(scene, settings);
+  for (const auto* record : {&plain, &mirrored})
+    for (const auto& word : record->words)
+      EXPECT_TRUE(taxonomy::compile(record == &plain ? "L D* E" : "L D* S* E").contains(word)) << taxonomy::fine(word);
+  for (const char* word : {"LE", "LSE", "LDE", "LDSE", "LDDE", "LDDSE"}) {
+    const auto expected = energy_of(truth, word), found = energy_of(mirrored, word);
+    // Patches stop at the ball's shadow or go on below it: a bias of some per cent.
+    EXPECT_NEAR(found.mean, expected.mean, 0.04 * expected.mean + 4 * expected.standard_error) << word;
+    const bool is_plain = std::string(word).find('S') == std::string::npos;
+    EXPECT_EQ(energy_of(plain, word).mean > 0, is_plain) << word;
+  }
+  EXPECT_GT(energy_of(truth, "LSDE").mean, 10 * energy_of(truth, "LSDE").standard_error);
+  EXPECT_EQ(energy_of(mirrored, "LSDE").mean, 0) << "what a mirror throws onto a wall is in neither pass";
+}
+
+TEST(RadiosityPicture, IsTheSameForAnyNumberOfThreads) {
+  RenderSettings settings{
+      .algorithm = AlgorithmId::RadiosityMirrors, .width = 24, .height = 24, .samples_per_pixel = 4};
+  for (const bool shooting : {false, true}) {
+    settings.method.radiosity = {.longest_edge = 0.3f, .rays_per_side = 16, .shooting = shooting};
+    settings.threads = 1;
+    const auto one = render(furnished_room(), settings);
+    for (const int threads : {2, 4}) {
+      settings.threads = threads;
+      EXPECT_EQ(render(furnished_room(), settings), one) << threads;
+    }
+  }
+}
+
+TEST(RadiosityPicture, CountsWhatTheDepthLimitCutsOff) {
+  RenderSettings settings{.algorithm = AlgorithmId::Radiosity, .width = 16, .height = 16, .samples_per_pixel = 16};
+  settings.method.radiosity.longest_edge = 0.2f;
+  const auto whole = render(room_with_lamp(), settings);
+  settings.max_depth = 2;
+  const auto cut = render(room_with_lamp(), settings);
+  std::vector<bool> beyond;
+  for (const auto& word : whole.words) beyond.push_back(word.events.size() > 2);
+  const double expected = record::energy(whole, beyond).mean;
+  EXPECT_NEAR(record::cut_off(cut.tally).mean, expected, 1e-3 * expected);
+  EXPECT_EQ(energy_of(cut, "LDDDE").mean, 0);
+}
+
+TEST(RadiosityPicture, CannotLabelItsLetters) {
+  const RenderSettings settings{
+      .algorithm = AlgorithmId::Radiosity, .width = 4, .height = 4, .labels = {EventLabels::Object, false}};
+  EXPECT_THROW(render(room_with_lamp(), settings), std::invalid_argument);
 }
 
 }  // namespace

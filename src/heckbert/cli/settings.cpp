@@ -17,6 +17,7 @@
 #include <heckbert/cli/files.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/transport/filter.h>
+#include <heckbert/transport/method_options.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::cli {
@@ -120,6 +121,8 @@ const std::vector<Setting>& all_settings() {
         {"labels", alternatives(transport::kLabelKinds) + "[,..]", Scope::Rendering, "",
          "write into words what events happened on, and the groups of lights",
          [](Settings& s, const std::string& t) { s.labels = parse_labels(t); }},
+        {"method", "NAME=VALUE[,..]", Scope::Tracing, "", "what the algorithm leaves open; see the names below",
+         [](Settings& s, const std::string& t) { s.method = parse_method(t); }},
         {"progress", alternatives(kWhens), Scope::Tracing, "", "progress on standard error (auto: on a terminal)",
          [](Settings& s, const std::string& t) { s.progress = choose(t, kWhens).when; }},
         {"dialect", "DIALECT", Scope::Dialect, "",
@@ -230,6 +233,22 @@ transport::LabelRule parse_labels(const std::string& text) {
     labels.light_groups |= rule.light_groups;
   }
   return labels;
+}
+
+transport::Method parse_method(const std::string& text) {
+  transport::Method method;
+  for (const std::string& piece : split(text, ',')) {
+    const std::vector<std::string> sides = split(piece, '=');
+    if (sides.size() != 2) throw BadValue(fmt::format("'{}' is no setting; expected NAME=VALUE", piece));
+    const transport::MethodOption& option = choose(sides[0], transport::kMethodOptions);
+    constexpr double kAny = 1e9;
+    const double value = number_between(sides[1], -kAny, kAny);
+    if (value < option.least || value > option.most || (option.is_whole && value != std::floor(value)))
+      throw BadValue(fmt::format("'{}' is no {}; expected a {}number from {} to {}", sides[1], option.name,
+                                 option.is_whole ? "whole " : "", option.least, option.most));
+    option.set(method, value);
+  }
+  return method;
 }
 
 void add_settings(CLI::App& command, SettingFlags& flags, std::initializer_list<Scope> scopes) {

@@ -19,6 +19,7 @@
 #include <heckbert/taxonomy/dialect.h>
 #include <heckbert/taxonomy/glossy_rule.h>
 #include <heckbert/transport/label_rule.h>
+#include <heckbert/transport/method.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
@@ -44,6 +45,7 @@ struct Settings {
   std::optional<transport::PixelFilter> filter;
   transport::SamplerKind sampler = transport::kSamplers.front().kind;
   transport::LabelRule labels{};
+  transport::Method method{};
   When progress = When::Auto;
   taxonomy::GlossyRule glossy = taxonomy::GlossyRule::Keep;
   taxonomy::Dialect dialect = taxonomy::Dialect::Heckbert;
@@ -67,6 +69,8 @@ void add_settings(CLI::App& command, SettingFlags& flags, std::initializer_list<
 
 /// "object,light-group": names of transport::kLabelKinds. Errors: BadValue.
 transport::LabelRule parse_labels(const std::string& text);
+/// "patch-edge=0.05,flat=1": names of transport::kMethodOptions, within their bounds. Errors: BadValue.
+transport::Method parse_method(const std::string& text);
 
 /// Merges flags, environment and config file. Two rivals (--spp and --time, --quiet and --verbose) exclude each other
 /// within a layer, and one hides the other in the layers below.

@@ -78,6 +78,7 @@ transport::RenderSettings settings_of(const record::RenderInfo& info) {
     settings.algorithm = choose(info.algorithm, transport::kAlgorithms).id;
     settings.sampler = choose(info.sampler, transport::kSamplers).kind;
     settings.filter = filter_of(info.filter);
+    if (!info.method.empty()) settings.method = parse_method(info.method);
     if (!info.labels.empty()) settings.labels = parse_labels(info.labels);
   } catch (const BadValue& error) {
     throw ReadError(fmt::format("this record cannot be traced again: {}", error.what()));

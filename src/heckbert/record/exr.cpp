@@ -44,6 +44,7 @@ constexpr const char* kParts = "heckbert.parts";  // "seed of first last"; absen
 constexpr const char* kPrecision = "heckbert.precision";
 constexpr const char* kGlossy = "heckbert.glossy";    // absent in records of earlier builds
 constexpr const char* kIgnored = "heckbert.ignored";  // absent when there is nothing
+constexpr const char* kMethod = "heckbert.method";    // likewise
 
 struct ColourChannel {
   const char* name;
@@ -125,6 +126,7 @@ Imf::Header header_for(const RenderInfo& info) {
   header.insert(kGlossy,
                 Imf::StringAttribute(std::string(taxonomy::kGlossyRules[static_cast<std::size_t>(info.glossy)].name)));
   header.insert(kPrecision, Imf::StringAttribute(std::string(name_of(info.precision))));
+  if (!info.method.empty()) header.insert(kMethod, Imf::StringAttribute(info.method));
   if (!info.ignored.empty()) header.insert(kIgnored, Imf::StringVectorAttribute(info.ignored));
   return header;
 }
@@ -143,6 +145,7 @@ RenderInfo info_of(const Imf::Header& header) {
   if (header.find(kParts) != header.end()) read_parts(attribute<Imf::StringVectorAttribute>(header, kParts), info);
   if (header.find(kGlossy) != header.end()) info.glossy = glossy_of(attribute<Imf::StringAttribute>(header, kGlossy));
   info.precision = precision_of(attribute<Imf::StringAttribute>(header, kPrecision));
+  if (header.find(kMethod) != header.end()) info.method = attribute<Imf::StringAttribute>(header, kMethod);
   if (header.find(kIgnored) != header.end()) info.ignored = attribute<Imf::StringVectorAttribute>(header, kIgnored);
   return info;
 }

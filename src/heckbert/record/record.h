@@ -51,6 +51,7 @@ struct RenderInfo {
   std::string scene{};       ///< file or built-in name
   std::string scene_hash{};  ///< of its contents, 16 hexadecimal digits; empty: not known
   std::string algorithm{};   ///< "path", "whitted", ...
+  std::string method{};      ///< what this algorithm was told beyond that, "flat=1"; empty: nothing
   std::string sampler{};     ///< "sobol", ...
   std::string filter{};      ///< of the pixels, with its radius: "box 0.5"
   int width = 0, height = 0;

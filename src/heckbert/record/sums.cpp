@@ -114,6 +114,7 @@ void check_alike(const RenderInfo& a, const RenderInfo& b) {
   };
   if (identity_of(a) != identity_of(b)) check("scene", scene_text(a), scene_text(b));
   check("algorithm", a.algorithm, b.algorithm);
+  check("method", a.method, b.method);
   check("size", fmt::format("{}x{}", a.width, a.height), fmt::format("{}x{}", b.width, b.height));
   check("crop", to_text(a.window), to_text(b.window));
   check("depth", a.max_depth, b.max_depth);

@@ -25,6 +25,7 @@ Json to_json(const record::RenderInfo& info) {
   return {{"scene", info.scene},
           {"scene_hash", info.scene_hash},
           {"algorithm", info.algorithm},
+          {"method", info.method},
           {"sampler", info.sampler},
           {"filter", info.filter},
           {"width", info.width},

@@ -38,7 +38,7 @@ void show(const World& world, Walk& walk, const Vertex& vertex, int depth, taxon
       }
       scattered = walk.step(scattered, Symbol::Dr, taxonomy::WordTrie::kNoLabel);
       if (is_black(value)) continue;
-      const record::Technique technique = record::Technique::Hit;
+      const record::Technique technique{static_cast<std::uint16_t>(bounce + 1), true};
       walk.find({walk.step(scattered, light.kind, taxonomy::WordTrie::kNoLabel), value, technique});
     }
   }

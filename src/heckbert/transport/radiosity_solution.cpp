@@ -44,7 +44,7 @@ Hit middle_of(const Scene& scene, const Tracer& tracer, const PatchMesh& mesh, s
   hit.front = side % 2 == 0;
   hit.material = part.material;
   hit.shape = part.shape;
-  if (material.textures.empty() && !material.emission_texture) return hit;
+  if (material.textures.empty()) return hit;
   const float near = std::sqrt(patch.area);
   const glm::vec3 normal = normal_of(mesh, side);
   const auto met = tracer.intersect({hit.position + near * normal, -normal}, 2 * near);
@@ -60,42 +60,55 @@ Rgb albedo_of(const Scene& scene, const Hit& middle, glm::vec3 normal) {
   return albedo;
 }
 
-Rgb exitance_of(const Scene& scene, const Hit& middle) {
-  const Material& material = scene.materials[middle.material];
-  if (!middle.front && material.emission_sides == Sides::Front) return {};
-  if (!material.emission_texture || !middle.has_coordinates) return kPi * material.emission;
-  const glm::vec4 texture = look_up(scene.textures[*material.emission_texture], middle.uv);
-  return kPi * material.emission * Rgb(texture.r, texture.g, texture.b);
+constexpr std::array<Symbol, 4> kKinds{Symbol::La, Symbol::Lp, Symbol::Ld, Symbol::Le};
+
+/// By kind of light.
+using DirectIrradiance = std::array<Rgb, kKinds.size()>;
+
+struct SurfacePoint {
+  glm::vec3 position, normal;
+};
+
+/// The k-th of many points all over a side: on the surface itself where that is a ball, and moved off it.
+SurfacePoint point_of_side(const PatchMesh& mesh, std::size_t side, std::uint32_t k, std::uint64_t seed) {
+  const glm::vec3 normal = normal_of(mesh, side);
+  const glm::vec3 position = ray_from_side(mesh, side, k, seed).origin;
+  const PatchPart& part = mesh.parts[mesh.patches[side / 2].part];
+  if (part.form != PatchPart::Form::Sphere) return {position, normal};
+  const glm::vec3 outward = glm::normalize(position - part.center);
+  const glm::vec3 on_ball = part.center + part.radius * outward;
+  const glm::vec3 towards = side % 2 == 0 ? outward : -outward;
+  return {on_ball + clearance(on_ball, 0, part.radius) * towards, towards};
 }
 
-constexpr std::array<Symbol, 3> kGatheredDirectly{Symbol::Lp, Symbol::Ld, Symbol::Le};
+/// What a light sends to a point along its sample, when nothing is in between.
+Rgb arriving(const Tracer& tracer, const Lights& lights, glm::vec3 from, const LightSample& light) {
+  const Ray ray{from, light.direction};
+  if (light.to_be_met != kNoEmitter) {
+    const auto met = tracer.intersect(ray);
+    return met && met->emitter == light.to_be_met ? lights.emitted(*met) : Rgb{};
+  }
+  return (light.infinite ? tracer.is_occluded(ray) : tracer.is_occluded(from, light.target)) ? Rgb{} : light.radiance;
+}
 
-using DirectIrradiance = std::array<Rgb, kGatheredDirectly.size()>;
-
-/// Of all lights without patches, at points all over the side.
-DirectIrradiance gather_directly(const PatchScene& patches, const Lights& lights, std::size_t side,
+/// Direct light at points all over a side, with a shadow ray each: form factors of lamps as Wallace, Elmquist and
+/// Haines (1989) measure them.
+DirectIrradiance gather_directly(const Tracer& tracer, const Lights& lights, const PatchMesh& mesh, std::size_t side,
                                  FormFactorRays rays) {
-  const glm::vec3 normal = normal_of(patches.mesh, side);
+  const SamplePlan plan{SamplerKind::Sobol, rays.seed, rays.per_side};
   DirectIrradiance sum{};
-  for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(rays.per_side); ++k) {
-    const glm::vec3 origin = ray_from_side(patches.mesh, side, k, rays.seed).origin;
-    Sampler sampler(rays.seed, static_cast<int>(side), -1, static_cast<int>(k));
-    const LightSample light = lights.sample(origin, sampler);
+  for (int k = 0; k < rays.per_side; ++k) {
+    const auto [position, normal] = point_of_side(mesh, side, static_cast<std::uint32_t>(k), rays.seed);
+    Sampler sampler(plan, static_cast<int>(side & 0xffff), static_cast<int>(side >> 16), k);
+    const LightSample light = lights.sample(position, sampler);
     const float cosine = glm::dot(normal, light.direction);
-    const auto kind = std::ranges::find(kGatheredDirectly, light.kind);
-    if (!(light.pdf_solid_angle > 0) || !(cosine > 0) || kind == kGatheredDirectly.end()) continue;
-    const bool occluded = light.infinite ? patches.tracer.is_occluded({origin, light.direction})
-                                         : patches.tracer.is_occluded(origin, light.target);
-    if (!occluded)
-      sum[static_cast<std::size_t>(kind - kGatheredDirectly.begin())] +=
-          light.radiance * (cosine / (light.pdf_solid_angle * static_cast<float>(rays.per_side)));
+    if (!(light.pdf_solid_angle > 0) || !(cosine > 0)) continue;
+    const auto kind = std::ranges::find(kKinds, light.kind);
+    sum[static_cast<std::size_t>(kind - kKinds.begin())] +=
+        arriving(tracer, lights, position, light) *
+        (cosine / (light.pdf_solid_angle * static_cast<float>(rays.per_side)));
   }
   return sum;
-}
-
-bool has_lights_without_patches(const Scene& scene, const Lights& lights) {
-  return lights.has_environment() ||
-         !(scene.point_lights.empty() && scene.spot_lights.empty() && scene.distant_lights.empty());
 }
 
 /// By corner of a side, 3 side + corner: the sides around it that go on smoothly, the side itself included.
@@ -163,7 +176,7 @@ RadiositySolution::RadiositySolution(const Scene& scene, const Tracer& tracer, c
     if (std::ranges::find(marked, true) == marked.end()) break;
     patches_ = std::make_unique<PatchScene>(split(patches_->mesh, marked));
   }
-  if (settings.interpolated) return;
+  if (!settings.flat) return;
   for (std::size_t i = 0; i < lights_.size(); ++i) at_corners_[i] = constant_over_sides(lights_[i].irradiance);
 }
 
@@ -173,41 +186,31 @@ void RadiositySolution::solve(const Scene& scene, const Tracer& tracer, const Li
   const std::size_t sides = mesh.side_count();
   const FormFactorRays rays{settings.rays_per_side, seed};
   albedos_.assign(sides, {});
-  std::vector<Rgb> exitances(sides);
-  std::vector<bool> takes_part(sides);
+  std::vector<bool> reflects(sides);
   for (std::size_t side = 0; side < sides; ++side) {
-    const Hit middle = middle_of(scene, tracer, mesh, side);
-    albedos_[side] = albedo_of(scene, middle, normal_of(mesh, side));
-    exitances[side] = exitance_of(scene, middle);
-    takes_part[side] = !is_black(albedos_[side]) || !is_black(exitances[side]);
+    albedos_[side] = albedo_of(scene, middle_of(scene, tracer, mesh, side), normal_of(mesh, side));
+    reflects[side] = !is_black(albedos_[side]);
   }
+  std::vector<DirectIrradiance> direct(sides);
+  if (!lights.empty() && most_bounces > 0)
+    tbb::parallel_for(std::size_t{0}, sides, [&](std::size_t side) {
+      if (reflects[side]) direct[side] = gather_directly(tracer, lights, mesh, side, rays);
+    });
 
   std::optional<FormFactors> factors;
-  if (settings.solver == RadiositySolver::Gathering) factors.emplace(*patches_, takes_part, rays);
-  const auto spread = [&](const std::vector<Rgb>& sent, int most) {
-    return factors ? solve_by_gathering(mesh, *factors, albedos_, sent, most)
-                   : solve_by_shooting(*patches_, albedos_, sent, most, rays);
-  };
-
+  if (!settings.shooting) factors.emplace(*patches_, reflects, rays);
   lights_.clear();
-  if (Bounces bounces = spread(exitances, most_bounces); !bounces.empty())
-    lights_.push_back({Symbol::La, std::move(bounces)});
-  if (most_bounces > 0 && has_lights_without_patches(scene, lights)) {
-    std::vector<DirectIrradiance> direct(sides);
-    tbb::parallel_for(std::size_t{0}, sides, [&](std::size_t side) {
-      if (!is_black(albedos_[side])) direct[side] = gather_directly(*patches_, lights, side, rays);
-    });
-    for (std::size_t kind = 0; kind < kGatheredDirectly.size(); ++kind) {
-      std::vector<Rgb> first(sides), reflected(sides);
-      for (std::size_t side = 0; side < sides; ++side) {
-        first[side] = direct[side][kind];
-        reflected[side] = albedos_[side] * first[side];
-      }
-      if (std::ranges::all_of(first, is_black)) continue;
-      Bounces bounces = spread(reflected, most_bounces - 1);
-      bounces.insert(bounces.begin(), std::move(first));
-      lights_.push_back({kGatheredDirectly[kind], std::move(bounces)});
+  for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+    std::vector<Rgb> first(sides), reflected(sides);
+    for (std::size_t side = 0; side < sides; ++side) {
+      first[side] = direct[side][kind];
+      reflected[side] = albedos_[side] * first[side];
     }
+    if (std::ranges::all_of(first, is_black)) continue;
+    Bounces bounces = factors ? solve_by_gathering(mesh, *factors, albedos_, reflected, most_bounces - 1)
+                              : solve_by_shooting(*patches_, albedos_, reflected, most_bounces - 1, rays);
+    bounces.insert(bounces.begin(), std::move(first));
+    lights_.push_back({kKinds[kind], std::move(bounces)});
   }
 
   const auto neighbours = smooth_neighbours(mesh);

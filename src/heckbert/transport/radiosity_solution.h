@@ -4,10 +4,9 @@
 // after bounce (radiosity_solver.h). Irradiance that was scattered n - 1 times before it arrived, seen through the
 // surface's own albedo, shows the words L D^n E, each bounce by itself.
 //
-// Light of area lights begins at their patches. That of points, of the sky and of distant lights is gathered directly,
-// at points all over a patch, and begins with what the patch reflects of it. Where irradiance is bent, so that a patch
-// receives something else than its neighbours let expect, patches are split and all is solved again (after Cohen,
-// Greenberg, Immel, Brock 1986).
+// Light begins with what patches receive directly, gathered at points all over them. Where irradiance is bent, so that
+// a patch receives something else than its neighbours let expect, patches are split and all is solved again (after
+// Cohen, Greenberg, Immel, Brock 1986).
 //
 // Taken for granted: surfaces reflect by their diffuse lobes alone, evenly to all sides; mirrors, glass and glossy
 // surfaces only throw shadows, and so do surfaces with holes, as if they had none.
@@ -21,20 +20,11 @@
 #include <heckbert/taxonomy/symbol.h>
 #include <heckbert/transport/lights.h>
 #include <heckbert/transport/patch_mesh.h>
+#include <heckbert/transport/radiosity_settings.h>
 #include <heckbert/transport/radiosity_solver.h>
 #include <heckbert/transport/tracer.h>
 
 namespace heckbert::transport {
-
-enum class RadiositySolver : std::uint8_t { Gathering, Shooting };
-
-struct RadiositySettings {
-  float longest_edge = 1.0f / 16.0f;  ///< of a patch, over the diagonal of the scene; above 0
-  int refinements = 1;                ///< how often patches may be split where light bends
-  int rays_per_side = 256;            ///< for form factors, and for direct light; above 0
-  RadiositySolver solver = RadiositySolver::Gathering;
-  bool interpolated = true;  ///< shown as linear over patches, not as constant
-};
 
 /// Light of one kind of source.
 struct RadiosityLight {

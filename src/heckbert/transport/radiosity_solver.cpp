@@ -25,7 +25,7 @@ Bounces solve_by_gathering(const PatchMesh& mesh, const FormFactors& factors, co
                            const std::vector<Rgb>& exitances, int most) {
   Bounces bounces;
   std::vector<Rgb> sent = exitances;
-  const double least = kRadiosityRest * power(mesh, exitances);
+  const double least = kLeastGathered * power(mesh, exitances);
   for (int n = 0; n < most && power(mesh, sent) > least; ++n) {
     std::vector<Rgb> received(sent.size());
     tbb::parallel_for(std::size_t{0}, sent.size(), [&](std::size_t side) {
@@ -45,7 +45,7 @@ Bounces solve_by_shooting(const PatchScene& patches, const std::vector<Rgb>& alb
   std::vector<double> unshot_power(sides);
   for (std::size_t side = 0; side < sides; ++side) unshot_power[side] = power(mesh, side, exitances[side]);
   double left = power(mesh, exitances);
-  const double least = kRadiosityRest * left;
+  const double least = kLeastShot * left;
   while (left > least) {
     const auto strongest = std::ranges::max_element(unshot_power);
     const auto from = static_cast<std::size_t>(strongest - unshot_power.begin());

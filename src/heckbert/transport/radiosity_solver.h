@@ -11,20 +11,20 @@
 
 namespace heckbert::transport {
 
-/// Less than this share of what was sent out at first is not followed further.
-inline constexpr double kRadiosityRest = 1e-5;
+/// Shares of what was sent out at first: less than so much is not followed any further by either solver.
+inline constexpr double kLeastGathered = 1e-5, kLeastShot = 1e-3;
 
 /// Irradiances by bounce and side: H_1, H_2, ...
 using Bounces = std::vector<std::vector<Rgb>>;
 
-/// Gathering: every side receives from all others at once. Ends after `most` bounces or with kRadiosityRest.
+/// Gathering: every side receives from all others at once. Ends after `most` bounces or with kLeastGathered.
 /// Cost: the number of form factors, for every bounce.
 Bounces solve_by_gathering(const PatchMesh& mesh, const FormFactors& factors, const std::vector<Rgb>& albedos,
                            const std::vector<Rgb>& exitances, int most);
 
 /// Shooting, which is progressive refinement (Cohen, Chen, Wallace, Greenberg 1988, section 4): the side with most
 /// unshot light sends it to all others, by form factors that are measured then and forgotten. What is unshot is kept by
-/// bounces. Ends when kRadiosityRest is unshot; light of more than `most` bounces is not followed.
+/// bounces. Ends when kLeastShot is unshot; light of more than `most` bounces is not followed.
 Bounces solve_by_shooting(const PatchScene& patches, const std::vector<Rgb>& albedos, const std::vector<Rgb>& exitances,
                           int most, FormFactorRays rays);
 

@@ -21,6 +21,7 @@
 #include <heckbert/transport/filter.h>
 #include <heckbert/transport/instant_radiosity.h>
 #include <heckbert/transport/material.h>
+#include <heckbert/transport/method_options.h>
 #include <heckbert/transport/photon_map.h>
 #include <heckbert/transport/scene_hash.h>
 #include <heckbert/transport/stage.h>
@@ -71,9 +72,11 @@ void check(const Scene& scene, const RenderSettings& settings) {
   require(settings.skip.empty() || !algorithm.passes,
           fmt::format("{} goes over the whole picture for each sample number: it skips no pixels", algorithm.title));
   require(settings.merge_radius > 0, "the radius within which photons are near must be above 0");
+  require(!algorithm.patches || settings.labels == LabelRule{},
+          "radiosity knows how often light was scattered, but not where: it can label no letters");
   for (const Material& material : scene.materials) check_material(scene, material);
   check_media(scene);
-  require(!algorithm.from_light || !has_bodies(scene),
+  require(!(algorithm.from_light || algorithm.patches) || !has_bodies(scene),
           fmt::format("{} takes no scenes with media, index-matched boundaries or materials with an interior",
                       algorithm.title));
 }
@@ -265,6 +268,7 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings) {
       .scene = scene.name,
       .scene_hash = fmt::format("{:016x}", hash_of(scene)),
       .algorithm = std::string(facts(settings.algorithm).name),
+      .method = write(settings.method),
       .sampler = std::string(kSamplers[static_cast<std::size_t>(settings.sampler)].name),
       .filter = fmt::format("{} {}", filter.name, settings.filter.radius),
       .width = settings.width,

@@ -13,6 +13,7 @@
 #include <heckbert/record/sample_map.h>
 #include <heckbert/record/technique_table.h>
 #include <heckbert/transport/label_rule.h>
+#include <heckbert/transport/method.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
@@ -33,7 +34,9 @@ enum class AlgorithmId : std::uint8_t {
   Distribution,
   RayCasting,
   LocalShading,
-  AmbientOcclusion
+  AmbientOcclusion,
+  Radiosity,
+  RadiosityMirrors
 };
 
 /// What can be said of an algorithm's values, where its words are the right ones.
@@ -64,6 +67,9 @@ struct AlgorithmFacts {
   bool from_light = false;
   bool splats = false;  ///< what it finds may be for any pixel
   bool passes = false;  ///< each sample number is a pass over the picture, before which all pixels' light is prepared
+  /// It shows light that was stored on patches beforehand, of which is known how often it was scattered, but not where:
+  /// its letters have no labels, and it takes no scenes with media or bodies in one another.
+  bool patches = false;
   Accuracy accuracy = Accuracy::Unbiased;
   Reach reach = Reach::Eye;
 };
@@ -141,6 +147,20 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .grammar = "ambient-occlusion",
      .title = "ambient occlusion, no light of the scene",
      .accuracy = Accuracy::NotLight},
+    {.id = AlgorithmId::Radiosity,
+     .name = "radiosity",
+     .grammar = "radiosity",
+     .title = "radiosity over patches",
+     .patches = true,
+     .accuracy = Accuracy::Consistent,
+     .reach = Reach::Merging},
+    {.id = AlgorithmId::RadiosityMirrors,
+     .name = "radiosity-mirrors",
+     .grammar = "radiosity-mirrors",
+     .title = "radiosity seen through ray-traced mirrors",
+     .patches = true,
+     .accuracy = Accuracy::Consistent,
+     .reach = Reach::Merging},
 });
 
 constexpr const AlgorithmFacts& facts(AlgorithmId id) {
@@ -162,6 +182,7 @@ struct RenderSettings {
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;
   LabelRule labels{};  ///< nothing
+  Method method{};
 };
 
 /// The part of the picture that is traced: all of it unless cropped.

@@ -8,6 +8,7 @@
 #include <heckbert/transport/local_shading.h>
 #include <heckbert/transport/path_tracer.h>
 #include <heckbert/transport/photon_tracer.h>
+#include <heckbert/transport/radiosity.h>
 #include <heckbert/transport/ray_casting.h>
 #include <heckbert/transport/recursive_tracer.h>
 #include <heckbert/transport/travel.h>
@@ -38,7 +39,12 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
              emission_,
              picture_window(settings),
              1.0f / static_cast<float>(picture_window(settings).pixel_count()),
-             planted()} {}
+             planted()} {
+  if (!facts(settings.algorithm).patches) return;
+  radiosity_ = std::make_unique<RadiositySolution>(scene, tracer_, lights_, settings.method.radiosity,
+                                                   settings.max_depth + kBouncesPastTheLimit, settings.seed);
+  world_.radiosity = radiosity_.get();
+}
 
 void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
   switch (algorithm) {
@@ -71,6 +77,10 @@ void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm
       return shade_locally(world, walk, ray);
     case AlgorithmId::AmbientOcclusion:
       return trace_occlusion(world, walk, ray);
+    case AlgorithmId::Radiosity:
+      return trace_radiosity(world, walk, ray, *world.radiosity, false);
+    case AlgorithmId::RadiosityMirrors:
+      return trace_radiosity(world, walk, ray, *world.radiosity, true);
   }
 }
 

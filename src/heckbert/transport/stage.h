@@ -1,7 +1,10 @@
 #pragma once
 // A scene with everything that walking through it takes, made once per render.
 
+#include <memory>
+
 #include <heckbert/transport/emission.h>
+#include <heckbert/transport/radiosity_solution.h>
 #include <heckbert/transport/render.h>
 #include <heckbert/transport/vertex.h>
 
@@ -22,6 +25,7 @@ class Stage {
   Eye eye_;
   Emission emission_;
   Labels labels_;
+  std::unique_ptr<RadiositySolution> radiosity_;  ///< for the algorithms that show it
   World world_;
 };
 

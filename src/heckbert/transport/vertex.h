@@ -25,6 +25,7 @@ namespace heckbert::transport {
 class Emission;
 enum class Fault : std::uint8_t;  // fault.h
 class PhotonMap;
+class RadiositySolution;
 struct LightWalk;
 
 /// A scene ready to be traced.
@@ -44,6 +45,7 @@ struct World {
   /// Of the sample number under way, for algorithms that use them.
   const PhotonMap* photons = nullptr;
   const std::deque<LightWalk>* virtual_lights = nullptr;
+  const RadiositySolution* radiosity = nullptr;  ///< for the algorithms that show it
 };
 
 /// What one camera sample carries along.

@@ -32,6 +32,7 @@
 #include <heckbert/report/facts.h>
 #include <heckbert/report/numbers.h>
 #include <heckbert/report/picture.h>
+#include <heckbert/transport/method_options.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::cli {
@@ -139,6 +140,10 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
   render.filter = settings.filter.value_or(scene.filter.value_or(render.filter));
   render.sampler = settings.sampler;
   render.labels = settings.labels;
+  render.method = settings.method;
+  for (const transport::MethodOption& option : transport::kMethodOptions)
+    if (option.get(render.method) != option.get({}) && !transport::reads(render.algorithm, option))
+      throw UsageError(fmt::format("--method: the algorithm '{}' has no {}", options.algorithm, option.name));
   render.threads = settings.threads.value_or(render.threads);
   if (render.crop && (render.crop->x1 > render.width || render.crop->y1 > render.height))
     throw UsageError(
@@ -354,11 +359,24 @@ ExitCode run(const RenderOptions& options) {
   return record.info.partial ? ExitCode::Interrupted : ExitCode::Done;
 }
 
+/// The names that --method knows.
+std::string methods_text() {
+  std::string text = "\nNames for --method:\n";
+  for (const transport::MethodOption& option : transport::kMethodOptions) {
+    std::string readers;
+    for (const transport::AlgorithmId id : option.algorithms)
+      readers += fmt::format("{}{}", readers.empty() ? "" : ", ", transport::facts(id).name);
+    text += fmt::format("  {:<14} {}; {:g} to {:g} (default: {:g})\n{:17}for {}\n", option.name, option.meaning,
+                        option.least, option.most, option.get({}), "", readers);
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_render(CLI::App& app, Run& chosen) {
   add_command<RenderOptions>(app, chosen, "render", "Trace a scene; write its picture, class pictures and record",
-                             kExamples, declare, run);
+                             kExamples + methods_text(), declare, run);
 }
 
 }  // namespace heckbert::cli
