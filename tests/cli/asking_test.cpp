@@ -62,7 +62,8 @@ TEST_F(Asking, ForLabelsInExpressions) {
   EXPECT_NEAR(share_of(classes[0]) + share_of(classes[1]), 1, 1e-6);
   EXPECT_EQ(share_of(classes[2]), 0);
   // What is seen on an object is what classify sorts under it.
-  for (const Json& group : json({"classify", "--by", "seen"})["groups"])
+  const Json seen = json({"classify", "--by", "seen"});
+  for (const Json& group : seen["groups"])
     if (group["name"] == "mirror ball") {
       EXPECT_NEAR(share_of(group), share_of(classes[3]), 1e-6);
     }

@@ -33,6 +33,12 @@ void* operator new(std::size_t size) {
   peak_bytes = std::max(peak_bytes, live_bytes);
   return block;
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  void* block = std::malloc(size);
+  if (block != nullptr) live_bytes += malloc_usable_size(block);
+  peak_bytes = std::max(peak_bytes, live_bytes);
+  return block;
+}
 void operator delete(void* block) noexcept {
   live_bytes -= malloc_usable_size(block);
   std::free(block);
