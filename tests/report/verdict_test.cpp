@@ -27,14 +27,15 @@ using Lights = std::map<std::string, Light>;
 
 constexpr int kSide = 64;
 
-record::Record batch_of(const Lights& lights, std::uint64_t seed) {
+/// A pixel with more samples finds a rare word more often, and less of it each time.
+record::Record batch_of(const Lights& lights, std::uint64_t seed, int samples_per_pixel = 1) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
   std::map<taxonomy::Word, const Light*> sorted;
   for (const auto& [word, light] : lights) sorted[taxonomy::parse_word(word)] = &light;
   record::Record record;
   record.info.window = {0, 0, kSide, kSide};
-  record.info.samples_per_pixel = 1;
+  record.info.samples_per_pixel = samples_per_pixel;
   for (const auto& [word, light] : sorted) record.words.push_back(word);
   record.offsets.push_back(0);
   for (int y = 0; y < kSide; ++y)
@@ -42,8 +43,9 @@ record::Record batch_of(const Lights& lights, std::uint64_t seed) {
       std::uint32_t number = 0;
       for (const auto& [word, light] : sorted) {
         // Some noise besides that of being found.
-        const double value = light->mean * light->factor(x, y) / light->probability * (0.5 + uniform(random));
-        if (uniform(random) < light->probability) record.entries.push_back({number, Rgb(static_cast<float>(value)), 1});
+        const double probability = std::min(light->probability * samples_per_pixel, 1.0);
+        const double value = light->mean * light->factor(x, y) / probability * (0.5 + uniform(random));
+        if (uniform(random) < probability) record.entries.push_back({number, Rgb(static_cast<float>(value)), 1});
         ++number;
       }
       record.offsets.push_back(record.entries.size());
@@ -51,15 +53,17 @@ record::Record batch_of(const Lights& lights, std::uint64_t seed) {
   return record;
 }
 
-Evidence evidence_of(const Lights& lights, std::uint64_t seed) {
+Evidence evidence_of(const Lights& lights, std::uint64_t seed, int samples_per_pixel = 1) {
   Evidence evidence;
-  for (std::uint64_t batch = 0; batch < record::kBatches; ++batch) evidence.add(batch_of(lights, seed * 1000 + batch));
+  for (std::uint64_t batch = 0; batch < record::kBatches; ++batch)
+    evidence.add(batch_of(lights, seed * 1000 + batch, samples_per_pixel));
   return evidence;
 }
 
 Verification verified(const Lights& truth, const Lights& trial, const std::string& claimed = "L.*E",
                       std::uint64_t seed = 1, const VerdictOptions& options = {}) {
-  const Evidence witness = evidence_of(truth, 2 * seed), own = evidence_of(trial, 2 * seed + 1);
+  // As many more samples for the witness as the commands take.
+  const Evidence witness = evidence_of(truth, 2 * seed, 4), own = evidence_of(trial, 2 * seed + 1);
   return verify({{"tested", "", "", &own, taxonomy::compile(claimed)}},
                 {{"reference", &witness, taxonomy::compile("L.*E")}}, {taxonomy::Symbol::La}, options);
 }
@@ -201,13 +205,26 @@ TEST(Verdict, TakesEachWordFromTheFirstWhoVouchesForIt) {
 /// Verifications of the same truth under different seeds raise false alarm as often as they say, and not more: of 200
 /// at 5 %, by the binomial distribution, at most 20 with a probability of 99.8 %.
 TEST(Verdict, RaisesFalseAlarmAsSeldomAsItSays) {
-  const Lights room{{"LE", {1, 0.01}}, {"LDE", {0.5, 0.2}}, {"LSDE", {0.05, 0.0008}}};
+  // The last word is found by a third of the trials and is bright.
+  const Lights room{
+      {"LE", {1, 0.01}}, {"LDE", {0.5, 0.2}}, {"LSDE", {0.05, 0.0008}}, {"LSDDE", {0.05, 0.4 / (32 * kSide * kSide)}}};
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed)
-    if (verified(room, room, "L.*E", seed, {.significance = 0.05}).verdicts.at(0).ruling == Ruling::WrongValues)
-      ++alarms;
+    if (!verified(room, room, "L.*E", seed, {.significance = 0.05}).verdicts.at(0).is_expected) ++alarms;
   EXPECT_LE(alarms, 20);
   EXPECT_GE(alarms, 1) << "a test that never raises alarm is none";
+}
+
+// Forty paths of a witness with four times the samples are ten of the trial, and the witness is sure of five: at this
+// significance chance may hide as many. It may not hide fifty.
+TEST(Verdict, SupposesPathsAsBrightAsTheyAreAmongTheTrialsSamples) {
+  for (const double paths : {10.0, 100.0}) {
+    Lights room{{"LE", {1, 0.5}}, {"LSDE", {0.03 * paths, paths / (32 * kSide * kSide)}}};
+    Lights less = room;
+    less.erase("LSDE");
+    const AlgorithmVerdict verdict = verified(room, less).verdicts.at(0);
+    EXPECT_EQ(find(verdict, "LSDE").standing, paths > 50 ? Standing::Missing : Standing::Rare) << paths;
+  }
 }
 
 // ---- what verdicts are made of --------------------------------------------------------------------------------------

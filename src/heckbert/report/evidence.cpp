@@ -23,6 +23,7 @@ std::vector<record::Window> blocks_of(const record::Window& window) {
 void Evidence::add(const record::Record& batch, std::span<const taxonomy::Language> languages) {
   if (batches_ > 0 && batch.info.window != window_)
     throw std::invalid_argument("the batches are of different pictures");
+  if (!has_blocks_) throw std::invalid_argument("the batches of a record are all there is");
   if (batches_ == record::kBatches) throw std::invalid_argument("there are as many batches as can be");
   window_ = batch.info.window;
   const auto number = static_cast<std::size_t>(batches_);

@@ -27,7 +27,7 @@ struct Series {
 
 struct BrightPixel {
   int x = 0, y = 0;
-  double luminance = 0;  ///< in the brightest batch
+  double luminance = 0;  ///< in the brightest batch, or on average where a record has the batches
 };
 
 /// A picture with its spread: by pixel the mean, and the standard error of its luminance.
@@ -50,10 +50,12 @@ struct WordEvidence {
 
 class Evidence {
  public:
-  /// One more independent render of the same picture, or as the first and only one a record that has batches itself;
-  /// such a record says nothing about blocks. Images of `languages`, the same each time, are kept with their spread.
-  /// Errors: std::invalid_argument for a record of another window, or for more than record::kBatches.
+  /// One more independent render of the same picture. Images of `languages`, the same each time, are kept with their
+  /// spread. Errors: std::invalid_argument for a record of another window, for more than record::kBatches, and behind
+  /// take_batches_of.
   void add(const record::Record& batch, std::span<const taxonomy::Language> languages = {});
+  /// The batches of one render, as the first and only evidence; it says nothing about blocks. Errors:
+  /// std::invalid_argument when there is some already.
   void take_batches_of(const record::Record& record, std::span<const taxonomy::Language> languages = {});
 
   int batches() const { return batches_; }

@@ -82,6 +82,8 @@ struct Case {
   const Trial* trial = nullptr;
   taxonomy::Symbol light = taxonomy::Symbol::La;
   std::vector<WordFinding> words{};
+  std::vector<const Evidence*> witnesses{};         ///< by word; null: nobody vouches for it
+  std::vector<Series> expected{};                   ///< by word: what the witness has
   std::vector<std::vector<BlockFinding>> blocks{};  ///< by word: those that can be compared
   Series all_expected{}, all_found{};               ///< of the words that are compared
 };
@@ -118,6 +120,8 @@ class Judge {
       finding.blocks_compared = blocks.size();
       comparisons_ += blocks.size() + (finding.standing == Standing::Agrees || finding.standing == Standing::Missing);
       result.words.push_back(std::move(finding));
+      result.witnesses.push_back(evidence_of_witness(group));
+      result.expected.push_back(group.expected);
       result.blocks.push_back(std::move(blocks));
     }
     for (const auto& [witness, group] : rest) {
@@ -129,6 +133,8 @@ class Judge {
       result.all_found += group.found;
       ++comparisons_;
       result.words.push_back(std::move(finding));
+      result.witnesses.push_back(evidence_of_witness(group));
+      result.expected.push_back(group.expected);
       result.blocks.emplace_back();
     }
     return result;
@@ -141,7 +147,8 @@ class Judge {
     const double level = sidak(options_.significance, comparisons_);
     for (std::size_t i = 0; i < c.words.size(); ++i) {
       WordFinding& word = c.words[i];
-      if (word.standing == Standing::Missing && !is_surely_missing(*c.trial, word, level))
+      if (word.standing == Standing::Missing &&
+          !is_surely_missing(*c.trial->evidence, known(*c.trial->evidence), *c.witnesses[i], c.expected[i], level))
         word.standing = Standing::Rare;
       if (word.standing != Standing::Agrees) continue;
       for (BlockFinding& block : c.blocks[i]) {
@@ -178,12 +185,26 @@ class Judge {
   struct Known {
     record::BatchStatistics statistics;
     double mean_contribution = 0;
+    /// What one event of the render brings to the mean of a word, on average over its energy: of so many that each is
+    /// an event of its own, the size that gives the words their spread. Where all pixels share a virtual light, one
+    /// such light is one event, and much more than one contribution.
+    double event_size = 0;
   };
   const Known& known(const Evidence& evidence) const {
     const auto place = known_.find(&evidence);
     if (place != known_.end()) return place->second;
-    return known_.emplace(&evidence, Known{evidence.statistics(options_.confidence), evidence.mean_contribution()})
-        .first->second;
+    Known known{evidence.statistics(options_.confidence), evidence.mean_contribution()};
+    double variance = 0, mean = 0;
+    for (const auto& [word, of_word] : evidence.words()) {
+      const record::Estimate energy = known.statistics.energy(of_word.picture.values);
+      variance += energy.standard_error * energy.standard_error;
+      mean += energy.mean;
+    }
+    if (mean > 0) known.event_size = variance / mean;
+    return known_.emplace(&evidence, known).first->second;
+  }
+  const Evidence* evidence_of_witness(const Group& group) const {
+    return group.witness == kNobody ? nullptr : witnesses_[group.witness].evidence;
   }
 
   double quantile(const Trial& trial) const { return known(*trial.evidence).statistics.quantile(); }
@@ -200,7 +221,7 @@ class Judge {
 
   /// Agrees stands for "can be compared" until the number of comparisons is known.
   WordFinding look_at(const Trial& trial, const Group& group) const {
-    const Evidence* witness = group.witness == kNobody ? nullptr : witnesses_[group.witness].evidence;
+    const Evidence* witness = evidence_of_witness(group);
     WordFinding finding{.word = group.word,
                         .length = group.length,
                         .comparison = comparison_of(trial, witness, group.expected, group.found),
@@ -243,11 +264,16 @@ class Judge {
     return list;
   }
 
-  /// One of its paths is supposed to be as bright as the witness's are on average, or as the trial's own.
-  bool is_surely_missing(const Trial& trial, const WordFinding& word, double level) const {
-    const double size = std::max(word.comparison.expected.mean / static_cast<double>(word.expected_count),
-                                 known(*trial.evidence).mean_contribution);
-    return trial.evidence->statistics(1 - level).energy({}, size).upper < word.comparison.expected.lower;
+  /// Is there more of the word, as the witness has it, than chance could hide from the trial? One event that brings the
+  /// word is supposed to be as much as one of the witness's paths would be among the trial's samples, or as what the
+  /// trial's own events bring, whichever is more. Each side has half of the level.
+  static bool is_surely_missing(const Evidence& trial, const Known& known, const Evidence& witness,
+                                const Series& expected, double level) {
+    const record::BatchStatistics of_witness = witness.statistics(1 - level / 2);
+    const double path = of_witness.energy(expected.values).mean / static_cast<double>(expected.count) *
+                        witness.samples_per_pixel() / trial.samples_per_pixel();
+    const double size = std::max({path, known.mean_contribution, known.event_size});
+    return trial.statistics(1 - level / 2).energy({}, size).upper < of_witness.energy(expected.values).lower;
   }
 
   std::optional<double> samples_for_nearly_all(const std::vector<WordFinding>& words) const {
