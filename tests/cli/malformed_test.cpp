@@ -85,7 +85,7 @@ std::vector<Malformed> usage() {
       {"unknown algorithm",
        {"render", "cornell", "-o", "x.exr", "--algorithm", "pathh"},
        2,
-       {"--algorithm: 'pathh' is none of path, ", "; did you mean 'path'?"}},
+       {"--algorithm: 'pathh' is none of path, path-hits, ", ", radiosity-mirrors; did you mean 'path'?"}},
       {"unknown rule for G", {"match", "LDE", "LDE", "--glossy", "difuse"}, 2, {"did you mean 'diffuse'?"}},
       {"unknown grouping", {"classify", "a.exr", "--by", "lenght"}, 2, {"--by: 'lenght'", "did you mean 'length'?"}},
       {"variable",

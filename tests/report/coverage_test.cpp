@@ -109,12 +109,15 @@ TEST(Coverage, AgreesWithTheStatisticsOfTheRecordItself) {
   }
 }
 
-TEST(Coverage, IntervalOfTwoBatchesIsStudentsWithOneDegree) {
-  // Batches 10003 and 10005: mean 10004, standard error 1, t(0.75, 1 degree) = 1; enough for a symmetric interval.
-  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {10003, 10005}}});
+TEST(Coverage, IntervalOfTwoBatchesHasOneDegreeOfFreedom) {
+  // Batches 3 and 5: mean 4, standard error 1, t(0.75, 1 degree) = 1; sixteen contributions of a quarter.
+  const record::Record record = sample_record(1, 1, {{.word = "LDE", .batches = {3, 5}}});
   const Coverage result = coverage(record, {grammar_of("a", "A", "LDE")}, {.confidence = 0.5});
-  EXPECT_NEAR(result.total.lower, 10003, 2e-3);
-  EXPECT_NEAR(result.total.upper, 10005, 2e-3);
+  const auto quantile = [](double shape, double z) {
+    return shape * std::pow(1 - 1 / (9 * shape) + z / (3 * std::sqrt(shape)), 3);
+  };
+  EXPECT_NEAR(result.total.lower, quantile(16, -1) / 4, 1e-6);
+  EXPECT_NEAR(result.total.upper, quantile(17, 1) / 4, 1e-6);
   EXPECT_NEAR(result.grammars[0].share.lower, 1, 1e-9) << "a share of everything does not waver";
 }
 

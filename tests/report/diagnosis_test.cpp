@@ -43,7 +43,7 @@ class Diagnosed : public ::testing::Test {
                    .title = "",
                    .evidence = &found_,
                    .claimed = taxonomy::compile("LDE"),
-                   .has = [](const taxonomy::Strategy& s) { return s.light_vertices <= 1; }};
+                   .has = [](const taxonomy::Word&, const taxonomy::Strategy& s) { return s.light_vertices <= 1; }};
 };
 
 TEST_F(Diagnosed, WordsThatCannotBeFoundComeByEnergy) {

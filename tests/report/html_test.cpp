@@ -251,6 +251,15 @@ TEST(Html, WarnsOfWhatMustNotBeOverlooked) {
   EXPECT_THAT(text, HasSubstr("3 not finite"));
 }
 
+TEST(Html, SaysThatLongWordsAreFoldedAndWhatThatLeavesOpen) {
+  record::Record record = lecture_like_record(4, 4);
+  record.folding = record::Folding{.longest = 2, .first = record.words.size() - 1, .exact = {}};
+  const std::string page = page_of(record), text = skeleton(page);
+  EXPECT_EQ(count_of(page, "class=\"warning\""), 1u);
+  EXPECT_THAT(text, HasSubstr("words of more than 2 scatterings"));
+  EXPECT_THAT(text, HasSubstr("at least; the rest of the interval is folded words"));
+}
+
 TEST(Base64, EncodesTheVectorsOfRfc4648) {
   const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},
                                                                  {"f", "Zg=="},

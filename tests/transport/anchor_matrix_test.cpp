@@ -1,4 +1,5 @@
-// The anchors of docs/anchors.md for every way of tracing, every kind of light and every kind of eye, word by word.
+// The anchors of docs/anchors.md for the tracers below, every kind of light and every kind of eye, word by word. Light
+// tracing, which finds too little of so small a picture, is held against the path tracer in bidirectional_test.cpp.
 //
 // Each scene looks the same to every eye: inside closed walls light is spread evenly (A1, A2, A4), over a wide floor
 // (A8) a panoramic eye sees in one half of its picture what the others see in all of theirs, and in the middle of a
@@ -20,17 +21,9 @@ namespace {
 constexpr double kPiD = std::numbers::pi;
 constexpr float kAlbedo = 0.5f;
 
-struct Way {
-  const char* name;
-  AlgorithmId algorithm;
-  bool next_event;
-  const char* grammar;
-};
-constexpr Way kWays[] = {{"path", AlgorithmId::Path, true, "L .* E"},
-                         {"path, hits alone", AlgorithmId::PathHits, false, "L .* E"},
-                         {"path, next event alone", AlgorithmId::PathNextEvent, true, "L [DGV] .* E"},
-                         {"whitted", AlgorithmId::Whitted, true, "L N? S* E"},
-                         {"lecture", AlgorithmId::Lecture, true, "L D? S* E"}};
+constexpr AlgorithmId kWays[] = {AlgorithmId::Path,       AlgorithmId::PathHits,     AlgorithmId::PathNextEvent,
+                                 AlgorithmId::Whitted,    AlgorithmId::Lecture,      AlgorithmId::Distribution,
+                                 AlgorithmId::RayCasting, AlgorithmId::Bidirectional};
 
 /// Narrow enough for a point, and of a width that closed scenes do not care about.
 struct EyeKind {
@@ -201,19 +194,28 @@ std::vector<Anchor> all_anchors() {
 }
 
 // Student's test with 31 degrees of freedom, 1 % over all comparisons of this file after Sidak.
-constexpr int kComparisons = 690;
+constexpr int kComparisons = 1100;
 /// All batches of Sobol points may agree though a stratum is cut by an edge, which one batch in fifty would show.
 constexpr double kUnseenByBatches = 1e-4;
 
-int compare(const record::Record& record, const Energies& truth, const taxonomy::Language& grammar, bool found,
+/// The grammars are of surfaces. The path tracers scatter at particles as they do at matte walls; the others find
+/// nothing there.
+bool is_claimed(const AlgorithmFacts& algorithm, taxonomy::Word word) {
+  const bool scatters_in_fog = algorithm.id == AlgorithmId::Path || algorithm.id == AlgorithmId::PathHits ||
+                               algorithm.id == AlgorithmId::PathNextEvent;
+  if (scatters_in_fog) std::ranges::replace(word.events, taxonomy::Symbol::V, taxonomy::Symbol::Dr);
+  return taxonomy::builtin_grammars().find(algorithm.grammar)->language.contains(word);
+}
+
+int compare(const record::Record& record, const Energies& truth, const AlgorithmFacts& algorithm, bool found,
             const std::string& where) {
   static const double bound = record::student_quantile(1 - 0.005 / kComparisons, record::kBatches - 1);
   int compared = 0;
   for (const taxonomy::Word& word : record.words)
-    EXPECT_TRUE(found && grammar.contains(word)) << where << ": " << taxonomy::fine(word);
+    EXPECT_TRUE(found && is_claimed(algorithm, word)) << where << ": " << taxonomy::fine(word);
   for (const auto& [word, expected] : truth) {
     const record::Estimate e = energy_of(record, word);
-    const bool possible = found && grammar.contains(taxonomy::parse_word(word));
+    const bool possible = found && is_claimed(algorithm, taxonomy::parse_word(word));
     const double value = possible ? expected : 0;
     EXPECT_NEAR(e.mean, value, bound * e.standard_error + kUnseenByBatches * value)
         << where << ", " << word << ": " << (e.mean - value) / e.standard_error << " standard errors";
@@ -223,20 +225,22 @@ int compare(const record::Record& record, const Energies& truth, const taxonomy:
   return compared;
 }
 
-TEST(AnchorMatrix, EveryWayOfTracingUnderEveryLightToEveryEye) {
+TEST(AnchorMatrix, EightTracersUnderEveryLightToEveryEye) {
   int compared = 0;
   for (const Anchor& anchor : all_anchors())
-    for (const Way& way : kWays) {
-      const taxonomy::Language grammar = taxonomy::compile(way.grammar);
+    for (const AlgorithmId way : kWays) {
+      const AlgorithmFacts& algorithm = facts(way);
+      if (algorithm.from_light && !anchor.scene.media.empty()) continue;
+      const bool is_found = algorithm.reach != Reach::Hit || anchor.can_be_hit;
       for (const EyeKind& eye : kEyes) {
         const Energies& truth = eye.all_around ? anchor.all_around : anchor.truth;
         if (truth.empty()) continue;
         Scene scene = anchor.scene;
         eye.make(scene.camera);
-        const record::Record record = render(
-            scene, {.algorithm = way.algorithm, .width = 16, .height = 16, .samples_per_pixel = 64, .max_depth = 5});
-        compared += compare(record, truth, grammar, way.next_event || anchor.can_be_hit,
-                            anchor.name + ", " + way.name + ", " + eye.name);
+        const record::Record record =
+            render(scene, {.algorithm = way, .width = 16, .height = 16, .samples_per_pixel = 64, .max_depth = 5});
+        compared += compare(record, truth, algorithm, is_found,
+                            anchor.name + ", " + std::string(algorithm.name) + ", " + eye.name);
       }
     }
   EXPECT_EQ(compared, kComparisons);

@@ -120,7 +120,6 @@ TEST(Flight, HasTheProbabilitiesOfBeerInEveryChannel) {
 
 TEST(Absorption, OfASlabFollowsBeerAndLeavesNoLetter) {
   for (const AlgorithmFacts& algorithm : algorithms_that_find("LaEp")) {
-    if (algorithm.from_light) continue;
     Scene scene = lamp_behind();
     scene.media = {{.name = "ink", .absorption = {0.5f, 1.0f, 2.0f}}};
     add(scene, make_box({-1, -1, 0}, {1, 1, 0.75f}), boundary(0));
@@ -154,7 +153,6 @@ TEST(Absorption, DimsShadowRaysThroughBoundariesToo) {
   scene.camera = {.position = {3, 0.5f, 0}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 1e-3f};
   const double expected = 0.5 / kPiD / 4 * std::exp(-0.45);
   for (const AlgorithmFacts& algorithm : algorithms_that_find("LpDrEp")) {
-    if (algorithm.from_light) continue;
     RenderSettings settings = small(4, 1);
     settings.algorithm = algorithm.id;
     const record::Record record = render(scene, settings);
@@ -360,7 +358,6 @@ TEST(Media, GiveTheSameBytesForAnyNumberOfThreads) {
   add(scene, Sphere{{0.3f, 0, 0}, 0.7f}, glass(1.33f, 1));
   scene.camera = {.position = {0, 0.2f, 1.8f}, .look_at = {0, 0, 0}, .vertical_fov_degrees = 70};
   for (const AlgorithmFacts& algorithm : algorithms_that_find("LaStStEp")) {
-    if (algorithm.from_light) continue;
     RenderSettings settings{.algorithm = algorithm.id, .width = 70, .height = 40, .samples_per_pixel = 4, .threads = 1};
     const record::Record one = render(scene, settings);
     ASSERT_GT(one.words.size(), 3u);

@@ -30,7 +30,7 @@ RenderSettings settings_of(AlgorithmId algorithm, float radius) {
           .samples_per_pixel = 128,
           .max_depth = 4,
           .seed = 7,
-          .merge_radius = radius};
+          .method = {.photon_radius = radius}};
 }
 
 TEST(Photons, OfAGlowingBallGiveEveryWordItsValue) {

@@ -18,8 +18,8 @@ record::Record furnace_to(int max_depth, AlgorithmId algorithm) {
 }
 
 /// z-test, 1 % over the eight limits of this file after Sidak.
-void expect_cut_off(const record::Tally& tally, double expected, const char* what) {
-  const record::Estimate e = record::cut_off(tally);
+void expect_cut_off(const record::Record& record, double expected, const char* what) {
+  const record::Estimate e = record::cut_off(record.info, record.tally);
   EXPECT_NEAR(e.mean, expected, 3.23 * e.standard_error) << what;
   EXPECT_LT(e.standard_error, 0.05 * expected) << what << ": too noisy to say anything";
 }
@@ -30,18 +30,18 @@ double geometric_tail(double ratio, int first) {
 
 TEST(DepthLimit, CutsOffWhatTheFurnaceSays) {
   for (const int limit : {0, 1, 3, 8}) {
-    const record::Tally tally = furnace_to(limit, AlgorithmId::Path).tally;
-    EXPECT_GT(tally.depth_limited, 0u);
-    expect_cut_off(tally, geometric_tail(kD + kS, limit + 1), "path");
+    const record::Record record = furnace_to(limit, AlgorithmId::Path);
+    EXPECT_GT(record.tally.depth_limited, 0u);
+    expect_cut_off(record, geometric_tail(kD + kS, limit + 1), "path");
   }
 }
 
 TEST(DepthLimit, OfTheRecursiveTracersCutsOffTheirOwnWordsOnly) {
   for (const AlgorithmId algorithm : {AlgorithmId::Whitted, AlgorithmId::Lecture})
     for (const int limit : {1, 3}) {
-      const record::Tally tally = furnace_to(limit, algorithm).tally;
+      const record::Record record = furnace_to(limit, algorithm);
       // L D? S* E: of words with k scatterings there are s^k and d s^(k-1).
-      expect_cut_off(tally, geometric_tail(kS, limit + 1) + kD * geometric_tail(kS, limit), "recursive");
+      expect_cut_off(record, geometric_tail(kS, limit + 1) + kD * geometric_tail(kS, limit), "recursive");
     }
 }
 
@@ -56,7 +56,17 @@ TEST(DepthLimit, LeavesTheWordsBelowItAsTheyAre) {
 TEST(DepthLimit, ThatNoWalkReachesCutsOffNothing) {
   const record::Record record = render(inside_sphere(emitter(1)), {.width = 8, .height = 8, .samples_per_pixel = 4});
   EXPECT_EQ(record.tally.depth_limited, 0u);
-  EXPECT_EQ(record::cut_off(record.tally).mean, 0.0);
+  EXPECT_EQ(record::cut_off(record.info, record.tally).mean, 0.0);
+}
+
+// Walks from the light, and their joins, end at the limit without a look at what lies beyond.
+TEST(DepthLimit, IsSaidToBeUnknownWhereNothingWasEstimated) {
+  for (const AlgorithmFacts& algorithm : kAlgorithms) {
+    const RenderSettings settings{
+        .algorithm = algorithm.id, .width = 8, .height = 8, .samples_per_pixel = 4, .max_depth = 2};
+    const record::Record record = render(furnace(kD, 0), settings);
+    EXPECT_EQ(record::cut_off(record.info, record.tally).known, !algorithm.from_light) << algorithm.name;
+  }
 }
 
 TEST(Escape, IsCountedApartWhereThereIsNoEnvironment) {

@@ -9,6 +9,7 @@
 #include <heckbert/cli/never.h>
 #include <heckbert/report/cryptomatte.h>
 #include <heckbert/report/energies.h>
+#include <heckbert/report/facts.h>
 #include <heckbert/report/numbers.h>
 #include <heckbert/taxonomy/simplest.h>
 
@@ -150,7 +151,7 @@ std::string classes_text(const std::vector<ClassOfRecord>& classes, const report
                    report::number(item.energy.mean), report::grouped(item.count), report::grouped(item.words)},
          .bar = item.share.mean});
     if (item.grammar.name != item.grammar.expression) rows.back().notes.push_back(item.grammar.expression);
-    if (!item.undecided.empty()) rows.back().notes.push_back("at least; the rest of the interval is folded words");
+    if (!item.undecided.empty()) rows.back().notes.emplace_back(report::kAtLeast);
   }
   return report::text_table({{"Class"},
                              {"Share", Align::Right},

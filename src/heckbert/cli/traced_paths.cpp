@@ -31,9 +31,8 @@ transport::PixelFilter filter_of(const std::string& text) {
 }
 
 std::string_view name_of(record::Technique technique) {
-  if (technique.merged) return "merge";
-  if (technique == record::Technique::Hit) return "hit";
-  return technique == record::Technique::NextEvent ? "next event" : "connect";
+  if (technique.merged) return "stored light";  // of patches; walks from the light are not traced again
+  return technique == record::Technique::Hit ? "hit" : "next event";
 }
 
 /// The record's words at the pixel and how many paths of each there are must be those of the paths.

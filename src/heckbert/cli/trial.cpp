@@ -66,7 +66,7 @@ taxonomy::Language words_between(const std::vector<Symbol>& lights, Symbol eye) 
 }
 
 bool takes(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene) {
-  return !algorithm.from_light || !transport::has_bodies(scene);
+  return !(algorithm.from_light || algorithm.patches) || !transport::has_bodies(scene);
 }
 
 std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const transport::Scene& scene) {

@@ -1,8 +1,10 @@
 #include <heckbert/cli/trial_settings.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
-#include <heckbert/cli/trial.h>
+#include <fmt/format.h>
 
 namespace heckbert::cli {
 
@@ -25,8 +27,20 @@ transport::RenderSettings settings_to_try(const Settings& settings, const transp
   render.seed = settings.seed.value_or(scene.seed.value_or(render.seed));
   render.filter = settings.filter.value_or(scene.filter.value_or(render.filter));
   render.sampler = settings.sampler;
+  render.method = settings.method;
   render.threads = settings.threads.value_or(render.threads);
   return render;
+}
+
+bool try_out(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+             const transport::RenderSettings& settings, std::span<const taxonomy::Language> pictures,
+             const std::atomic<bool>& stop, const Console& console, std::vector<TrialRun>& runs) {
+  std::optional<TrialRun> run = run_trial(algorithm, scene, settings, pictures, stop);
+  if (!run) return false;
+  console.note(fmt::format("{}: {} samples per pixel in {:.2f} s", algorithm.name, run->evidence.samples_per_pixel(),
+                           run->seconds));
+  runs.push_back(std::move(*run));
+  return true;
 }
 
 }  // namespace heckbert::cli

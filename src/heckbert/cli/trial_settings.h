@@ -1,11 +1,16 @@
 #pragma once
-// Flags of the commands that run algorithms against each other.
+// What the commands that run algorithms against each other have in common.
 
+#include <atomic>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include <heckbert/cli/console.h>
 #include <heckbert/cli/settings.h>
+#include <heckbert/cli/trial.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::cli {
@@ -15,5 +20,10 @@ void add_scene_to_try(CLI::App& command, std::string& name);
 
 /// Of flags, of the scene where it says how deep, and of kTrialSide and kTrialSamples.
 transport::RenderSettings settings_to_try(const Settings& settings, const transport::RenderDefaults& scene);
+
+/// run_trial(), told on the console and put behind `runs`. False when it was stopped.
+bool try_out(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+             const transport::RenderSettings& settings, std::span<const taxonomy::Language> pictures,
+             const std::atomic<bool>& stop, const Console& console, std::vector<TrialRun>& runs);
 
 }  // namespace heckbert::cli

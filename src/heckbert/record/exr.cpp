@@ -40,9 +40,10 @@ constexpr std::array<std::pair<const char*, int RenderInfo::*>, 2> kNumbers{{
 constexpr const char* kSeed = "heckbert.seed";  // as text: OpenEXR has no 64-bit attribute
 constexpr const char* kPartial = "heckbert.partial";
 constexpr const char* kHasBatches = "heckbert.has_batches";
+constexpr const char* kCutOffUnknown = "heckbert.cut_off_unknown";  // absent when it was estimated
 constexpr const char* kParts = "heckbert.parts";  // "seed of first last"; absent when all of one render
 constexpr const char* kPrecision = "heckbert.precision";
-constexpr const char* kGlossy = "heckbert.glossy";    // absent in records of earlier builds
+constexpr const char* kGlossy = "heckbert.glossy";
 constexpr const char* kIgnored = "heckbert.ignored";  // absent when there is nothing
 constexpr const char* kMethod = "heckbert.method";    // likewise
 
@@ -122,6 +123,7 @@ Imf::Header header_for(const RenderInfo& info) {
   header.insert(kSeed, Imf::StringAttribute(std::to_string(info.seed)));
   header.insert(kPartial, Imf::IntAttribute(info.partial ? 1 : 0));
   header.insert(kHasBatches, Imf::IntAttribute(info.has_batches ? 1 : 0));
+  if (!info.knows_cut_off) header.insert(kCutOffUnknown, Imf::IntAttribute(1));
   if (!info.parts.empty()) header.insert(kParts, Imf::StringVectorAttribute(texts_of(info.parts)));
   header.insert(kGlossy,
                 Imf::StringAttribute(std::string(taxonomy::kGlossyRules[static_cast<std::size_t>(info.glossy)].name)));
@@ -142,8 +144,9 @@ RenderInfo info_of(const Imf::Header& header) {
   info.seed = parse_number(attribute<Imf::StringAttribute>(header, kSeed), kSeed);
   info.partial = attribute<Imf::IntAttribute>(header, kPartial) != 0;
   info.has_batches = attribute<Imf::IntAttribute>(header, kHasBatches) != 0;
+  info.knows_cut_off = header.find(kCutOffUnknown) == header.end();
   if (header.find(kParts) != header.end()) read_parts(attribute<Imf::StringVectorAttribute>(header, kParts), info);
-  if (header.find(kGlossy) != header.end()) info.glossy = glossy_of(attribute<Imf::StringAttribute>(header, kGlossy));
+  info.glossy = glossy_of(attribute<Imf::StringAttribute>(header, kGlossy));
   info.precision = precision_of(attribute<Imf::StringAttribute>(header, kPrecision));
   if (header.find(kMethod) != header.end()) info.method = attribute<Imf::StringAttribute>(header, kMethod);
   if (header.find(kIgnored) != header.end()) info.ignored = attribute<Imf::StringVectorAttribute>(header, kIgnored);

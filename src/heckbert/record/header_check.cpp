@@ -114,7 +114,8 @@ bool fits(std::string_view type, Bytes value) {
   return true;
 }
 
-void check_header(Bytes& file, std::istream& in) {
+/// Where the header ends is where the stream is left.
+void check_header(Bytes& file, std::istream& in, bool has_manifest = false) {
   for (;;) {
     const auto name = file.text();
     const auto refuse = [&](std::string_view why) {
@@ -130,6 +131,20 @@ void check_header(Bytes& file, std::istream& in) {
     in.clear();
     in.seekg(value);
     file.skip(*size);
+    if (*type != "idmanifest") continue;
+
+    // OpenEXR 3.1 takes four bytes more than the manifest has, which are of the next attribute's name. So what follows
+    // must be well-formed when it is read from either place, and end in the same one.
+    if (has_manifest) refuse("there is a second id manifest");
+    const auto next = in.tellg();
+    Bytes eaten = file;
+    if (!eaten.skip(4)) refuse("its header ends inside the attribute");
+    check_header(eaten, in, true);
+    const auto end = in.tellg();
+    in.seekg(next);
+    check_header(file, in, true);
+    if (in.tellg() != end) refuse("sizes do not fit behind the attribute");
+    return;
   }
 }
 

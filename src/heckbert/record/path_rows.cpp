@@ -79,6 +79,7 @@ Record PathRows::record(RenderInfo info) {
   tile.batch_sums = std::move(batch);
 
   info.has_batches = false;
+  info.knows_cut_off = false;
   // Words are sorted by length first.
   if (info.max_depth < 0) info.max_depth = tile.words.empty() ? 0 : static_cast<int>(tile.words.back().length());
   Assembler assembler(std::move(info));

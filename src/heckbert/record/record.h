@@ -62,6 +62,8 @@ struct RenderInfo {
   std::vector<SampleRange> parts{};
   /// False: the samples came without their numbers, as one batch, and no interval is known.
   bool has_batches = true;
+  /// False: what the depth limit cut off was not estimated.
+  bool knows_cut_off = true;
   int max_depth = 0;     ///< most scatterings per path
   bool partial = false;  ///< interrupted: some pixels have no samples
   /// What the expressions declared with the render say of glossy bounces.

@@ -157,7 +157,8 @@ Estimate share(const Record& record, const std::vector<bool>& part, const std::v
              mean_contribution(record));
 }
 
-Estimate cut_off(const Tally& tally, double confidence) {
+Estimate cut_off(const RenderInfo& info, const Tally& tally, double confidence) {
+  if (!info.knows_cut_off) return unknown_spread(0);
   if (tally.cut_off == 0) return exactly(0);
   const double n = static_cast<double>(tally.samples);
   const double mean = mean_of(tally.cut_off, n);

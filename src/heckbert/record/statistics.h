@@ -55,9 +55,10 @@ Rgb mean_colour(const Record& record, const std::vector<bool>& chosen);
 Estimate share(const Record& record, const std::vector<bool>& part, const std::vector<bool>& whole,
                double confidence = 0.95);
 
-/// Picture-mean luminance that the depth limit cut off, as the tracer estimated it; 0 when it reached no limit.
+/// Picture-mean luminance that the depth limit cut off, as the tracer estimated it; 0 when it reached no limit, and not
+/// known where nothing was estimated.
 /// Roulette needs no such estimate: what it ends is on average what it adds to the walks that go on.
-Estimate cut_off(const Tally& tally, double confidence = 0.95);
+Estimate cut_off(const RenderInfo& info, const Tally& tally, double confidence = 0.95);
 
 /// Quantile of Student's t with `degrees` degrees of freedom: the t with P(T <= t) = probability.
 double student_quantile(double probability, int degrees);

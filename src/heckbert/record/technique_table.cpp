@@ -1,7 +1,6 @@
 #include <heckbert/record/technique_table.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace heckbert::record {
@@ -57,24 +56,14 @@ TechniqueTable added(const TechniqueTable& a, const TechniqueTable& b) {
   return sum;
 }
 
-TechniqueEnergy energy_of(const TechniqueSum& sum, const RenderInfo& info) {
+Estimate energy_of(const TechniqueSum& sum, const RenderInfo& info, double confidence) {
   const auto sizes = batch_sizes(info);
   const auto pixels = static_cast<double>(info.window.pixel_count());
-  double total = 0, samples = 0;
-  std::vector<double> means;
-  for (std::size_t batch = 0; batch < kBatches; ++batch) {
-    if (sizes[batch] == 0) continue;
-    means.push_back(static_cast<double>(luminance(mean_of(sum.by_batch[batch], sizes[batch] * pixels))));
-    total += means.back() * sizes[batch];
-    samples += sizes[batch];
-  }
-  TechniqueEnergy energy{.mean = samples > 0 ? total / samples : 0};
-  if (means.size() < 2) return energy;
-  double squares = 0;
-  for (const double mean : means) squares += (mean - energy.mean) * (mean - energy.mean);
-  const auto n = static_cast<double>(means.size());
-  energy.standard_error = std::sqrt(squares / (n * (n - 1)));
-  return energy;
+  BatchSeries values{};
+  for (std::size_t batch = 0; batch < kBatches; ++batch)
+    if (sizes[batch] > 0)
+      values[batch] = static_cast<double>(luminance(mean_of(sum.by_batch[batch], sizes[batch] * pixels)));
+  return BatchStatistics(info, confidence).energy(values);
 }
 
 }  // namespace heckbert::record

@@ -10,6 +10,7 @@
 
 #include <heckbert/record/path_sink.h>
 #include <heckbert/record/record.h>
+#include <heckbert/record/statistics.h>
 #include <heckbert/record/sum.h>
 
 namespace heckbert::record {
@@ -52,11 +53,8 @@ class TechniqueRecorder final : public PathSink {
 /// Both, exactly: any order of additions gives the same table.
 TechniqueTable added(const TechniqueTable& a, const TechniqueTable& b);
 
-/// Picture-mean luminance that this technique brought, and its standard error from the batches. Takes a render of one
-/// seed, not a part of one.
-struct TechniqueEnergy {
-  double mean = 0, standard_error = 0;
-};
-TechniqueEnergy energy_of(const TechniqueSum& sum, const RenderInfo& info);
+/// Picture-mean luminance that this technique brought, with its interval at `confidence`. Takes a render of one seed,
+/// not a part of one.
+Estimate energy_of(const TechniqueSum& sum, const RenderInfo& info, double confidence = 0.95);
 
 }  // namespace heckbert::record

@@ -26,7 +26,7 @@ std::string coverage_json(const Coverage& coverage, const std::vector<Verdict>& 
   }
   Json document = document_of("heckbert.coverage");
   document["render"] = to_json(coverage.info);
-  document["tally"] = to_json(coverage.tally);
+  document["tally"] = to_json(coverage.info, coverage.tally);
   document["glossy_rule"] = name_of(coverage.glossy_rule);
   document["confidence"] = coverage.confidence;
   document["part"] = coverage.part.description;

@@ -55,7 +55,7 @@ std::string coverage_text(const Coverage& coverage, const TextStyle& style, std:
     std::vector<std::string>& notes = rows.back().notes;
     if (const std::optional<WorstPixel>& worst = grammar.worst_pixel; worst && worst->share < 1)
       notes.push_back(fmt::format("worst pixel {}, {}: {}", worst->x, worst->y, percent(worst->share)));
-    if (!grammar.is_exact) notes.push_back("at least; the rest of the interval is folded words");
+    if (!grammar.is_exact) notes.emplace_back(kAtLeast);
     for (const std::string& bias : grammar.biases) notes.push_back("bias: " + bias);
   }
   text += '\n' + text_table({{"Algorithm"},

@@ -44,7 +44,7 @@ std::vector<StrategyUse> uses_of(const Suspect& suspect, const taxonomy::Word& w
                                  const std::vector<MeasuredTechnique>& measured) {
   std::vector<StrategyUse> uses;
   for (const taxonomy::Strategy& strategy : taxonomy::strategies(word)) {
-    StrategyUse use{strategy, suspect.has(strategy)};
+    StrategyUse use{strategy, suspect.has(word, strategy)};
     for (const MeasuredTechnique& technique : measured) {
       if (technique.merged || technique.light_vertices != strategy.light_vertices ||
           technique.word.light != word.light || plain(technique.word) != plain(word))

@@ -43,7 +43,8 @@ struct Suspect {
   std::string algorithm, title;
   const Evidence* evidence = nullptr;
   taxonomy::Language claimed;
-  std::function<bool(const taxonomy::Strategy&)> has;  ///< is the strategy one of its techniques?
+  /// Is the strategy one of its techniques for the word?
+  std::function<bool(const taxonomy::Word&, const taxonomy::Strategy&)> has;
 };
 
 struct StrategyUse {

@@ -20,9 +20,10 @@ std::string picture_size(const record::RenderInfo& info) {
   return text;
 }
 
-std::string cut_off_text(const record::Tally& tally) {
+std::string cut_off_text(const record::RenderInfo& info, const record::Tally& tally) {
+  if (!info.knows_cut_off) return "not estimated";
   if (tally.depth_limited == 0) return "nothing: no walk reached the depth limit";
-  const record::Estimate lost = record::cut_off(tally);
+  const record::Estimate lost = record::cut_off(info, tally);
   return fmt::format("{} of mean luminance at the depth limit (estimated, {} to {})", number(lost.mean),
                      number(lost.lower), number(lost.upper));
 }
@@ -80,7 +81,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
        fmt::format("{} escaped ({} where there is no environment), {} absorbed, {} at the depth limit, {} by roulette",
                    grouped(tally.escaped), grouped(tally.escaped_unlit), grouped(tally.absorbed),
                    grouped(tally.depth_limited), grouped(tally.roulette))},
-      {"Cut off", cut_off_text(tally)},
+      {"Cut off", cut_off_text(info, tally)},
       {"Rejected", rejected(tally)},
       {"Out of range", rounding(tally)},
       {"Precision", precision(info, tally)},
@@ -89,8 +90,11 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
 }
 
 std::string termination(const record::RenderInfo& info, const record::Tally& tally, double luminance) {
+  if (!info.knows_cut_off)
+    return fmt::format("What is beyond the depth limit of {} was not estimated: it is in no number here.",
+                       info.max_depth);
   if (tally.depth_limited == 0) return {};
-  const record::Estimate lost = record::cut_off(tally);
+  const record::Estimate lost = record::cut_off(info, tally);
   return fmt::format("The depth limit of {} cut off {} walks and with them {} of all light (estimated: {} of {}).",
                      info.max_depth, grouped(tally.depth_limited),
                      percent(lost.mean > 0 ? lost.mean / (luminance + lost.mean) : 0), number(lost.mean),

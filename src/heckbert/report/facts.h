@@ -28,6 +28,8 @@ std::vector<std::string> warnings(const record::RenderInfo& info, const record::
 
 /// What became of words that found no room, in a sentence; empty when all did.
 std::string folding(const record::Record& record);
+/// What is said beside an answer that folded words leave open.
+inline constexpr std::string_view kAtLeast = "at least; the rest of the interval is folded words";
 
 /// "scene, path, 512 x 512 pixels, 64 samples per pixel, seed 1, heckbert 0.1.0"
 std::string summary(const record::RenderInfo& info);

@@ -54,9 +54,11 @@ std::string word_list(const std::vector<WordEnergy>& words) {
   return text.empty() ? "no words" : text;
 }
 
-std::string introduction(const Coverage& coverage) {
+std::string introduction(const record::Record& record, const Coverage& coverage) {
   std::string notes;
-  for (const std::string& warning : warnings(coverage.info, coverage.tally))
+  std::vector<std::string> to_note = warnings(coverage.info, coverage.tally);
+  if (const std::string folded = folding(record); !folded.empty()) to_note.push_back(folded);
+  for (const std::string& warning : to_note)
     notes += fmt::format("<p class=\"warning\"><strong>Take note.</strong> {}</p>\n", escaped(warning));
   if (!coverage.part.is_whole())
     notes += fmt::format(
@@ -238,7 +240,7 @@ std::string algorithm_article(const record::Record& record, const Coverage& cove
   return fmt::format(
       R"(<article id="{anchor}">
 <h3>{title}</h3>
-{expressions}<p class="share"><strong>{share}</strong> of the light captured; {level} interval {interval}</p>
+{expressions}<p class="share"><strong>{share}</strong> of the light captured{bound}; {level} interval {interval}</p>
 <div class="pair">
 {captured_figure}{missed_figure}</div>
 <div class="pair">
@@ -250,6 +252,7 @@ std::string algorithm_article(const record::Record& record, const Coverage& cove
       arg("anchor", anchor(grammar)), arg("title", escaped(grammar.title)), arg("expressions", expressions(grammar)),
       arg("share", escaped_percent(grammar.share.mean)), arg("level", level(coverage.confidence)),
       arg("interval", percent_interval(grammar.share)),
+      arg("bound", grammar.is_exact ? "" : fmt::format(", {}", kAtLeast)),
       arg("captured_figure",
           part_figure(record, grammar.captured, exposure, width, "Captured: " + percent(grammar.share.mean),
                       fmt::format("{} captures {} of the light, mostly {}", grammar.title, percent(grammar.share.mean),
@@ -412,7 +415,7 @@ std::string html(const record::Record& record, const Coverage& coverage, const C
 )",
                                  arg("version", escaped(coverage.info.version)),
                                  arg("scene", escaped(coverage.info.scene)), arg("css", page_css));
-  page += introduction(coverage);
+  page += introduction(record, coverage);
   page += "<main>\n";
   page += picture_section(beauty, coverage, exposure, options.picture_width);
   page += reading_section(coverage);

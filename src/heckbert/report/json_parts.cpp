@@ -42,10 +42,10 @@ Json to_json(const record::RenderInfo& info) {
           {"ignored", info.ignored}};
 }
 
-Json to_json(const record::Tally& tally) {
+Json to_json(const record::RenderInfo& info, const record::Tally& tally) {
   Json json = Json::object();
   for (const record::TallyFacts& facts : record::kTallyFields) json[std::string(facts.name)] = tally.*facts.field;
-  json["cut_off"] = to_json(record::cut_off(tally));
+  json["cut_off"] = to_json(record::cut_off(info, tally));
   return json;
 }
 

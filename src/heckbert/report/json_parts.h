@@ -23,7 +23,7 @@ Json to_json(const record::Estimate& estimate);
 /// `last` is the last sample itself, not the one behind it.
 Json to_json(const record::SampleRange& range);
 Json to_json(const record::RenderInfo& info);
-Json to_json(const record::Tally& tally);
+Json to_json(const record::RenderInfo& info, const record::Tally& tally);
 Json to_json(const std::vector<WordEnergy>& words);
 std::string_view name_of(taxonomy::GlossyRule rule);
 

@@ -99,7 +99,7 @@ std::string classification_json(const Classification& classification) {
                     {"words", group.words}});
   Json document = document_of("heckbert.classify");
   document["render"] = to_json(classification.info);
-  document["tally"] = to_json(classification.tally);
+  document["tally"] = to_json(classification.info, classification.tally);
   document["glossy_rule"] = name_of(classification.glossy_rule);
   document["confidence"] = classification.confidence;
   document["part"] = classification.part.description;

@@ -15,7 +15,9 @@ void trace_occlusion(const World& world, Walk& walk, Ray ray) {
   walk.arrive(0, {hit->position, weight});
   const Vertex vertex = vertex_at(world, walk, *hit, ray.direction);
   // Directions by their cosine: a white surface's radiance is the share of them that are free.
-  const glm::vec3 wi = sample_direction(Lambert{Rgb(1.0f)}, vertex.wo, {walk.sampler.next2(), 0.0f});
+  const glm::vec3 drawn = sample_direction(Lambert{Rgb(1.0f)}, vertex.wo, {walk.sampler.next2(), 0.0f});
+  const glm::vec3 wi = vertex.local(vertex.frame.to_world(drawn));
+  if (wi.z == 0) return walk.sink.end_path(PathEnd::Absorbed);  // below the surface itself
   const float reach = kOcclusionReach * glm::length(world.tracer.bounds_high() - world.tracer.bounds_low());
   const Ray probe = vertex.leave(wi, false);
   ++walk.rays;

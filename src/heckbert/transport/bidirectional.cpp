@@ -29,14 +29,6 @@ struct EyeVertex {
   int scatterings = 0;      ///< before this one
 };
 
-double weight_against(double rivals) {
-  return 1 / (1 + rivals);
-}
-
-float cosine(const Hit& hit, glm::vec3 direction) {
-  return std::abs(glm::dot(hit.normal_geometric, direction));
-}
-
 class EyeWalk {
  public:
   EyeWalk(const World& world, Walk& walk, const LightWalk& light) : world_(world), walk_(walk), light_(light) {}
@@ -74,11 +66,8 @@ class EyeWalk {
       throughput *= next.factor;
       radiance_scale *= next.radiance_scale;
       if (is_black(throughput)) return walk_.sink.end_path(PathEnd::Absorbed);
-      if (depth + 1 >= kRouletteStart) {
-        const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
-        if (walk_.sampler.next() >= survival) return walk_.sink.end_path(PathEnd::Roulette);
-        throughput *= 1.0f / survival;
-      }
+      if (!survives(walk_.sampler, throughput, radiance_scale, depth + 1))
+        return walk_.sink.end_path(PathEnd::Roulette);
       node = walk_.step(node, next.event, world_.labels.surface(*hit));
       const glm::vec3 onward = next.ray.direction;
       const bool is_delta = next.pdf_solid_angle == 0;
@@ -176,11 +165,11 @@ class EyeWalk {
   void join_vertex(const EyeVertex& at, std::size_t number) {
     const LightVertex& other = light_.vertices[number];
     const std::optional<Joint> joint = join(world_.scene, at.vertex, other);
-    if (!joint) return;
+    if (!joint || is_blocked(world_, walk_, at.vertex, other, *joint)) return;
     const float d2 = joint->squared_distance;
     const float cos_here = cosine(at.vertex.hit, joint->direction);
     const auto pdf_there = static_cast<double>(joint->here.pdf_solid_angle * joint->cos_there / d2);
-    const auto pdf_here = static_cast<double>(joint->there.pdf_to_eye * cos_here / d2);
+    const auto pdf_here = static_cast<double>(pdf_to_eye(other, -joint->direction) * cos_here / d2);
     const double others = other.rivals.sum(pdf_there, static_cast<double>(joint->there.pdf_to_light)) +
                           at.rivals.sum(pdf_here, reverse_pdf(at, joint->direction));
     const float geometry = std::abs(joint->wi.z) * joint->cos_there / d2;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include <heckbert/transport/vertex.h>
@@ -45,6 +46,22 @@ Drawn draw(const Weights& weights, std::size_t count, float total, float u) {
     left -= weights[i];
   }
   return drawn;
+}
+
+/// The lobe to follow; nothing where the surface is black. Draws no number where there is nothing to choose.
+inline std::optional<Drawn> draw_lobe(const Vertex& vertex, Sampler& sampler) {
+  if (!(vertex.total_weight > 0)) return std::nullopt;
+  return draw(vertex.selection, vertex.lobes().size(), 1.0f, vertex.has_choice ? sampler.next() : 0.0f);
+}
+
+/// Roulette for a walk that was scattered so often, by the energy it has left: radiance without its compression. What
+/// goes on makes up for what is ended.
+inline bool survives(Sampler& sampler, Rgb& throughput, float radiance_scale, int scatterings) {
+  if (scatterings < kRouletteStart) return true;
+  const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
+  if (sampler.next() >= survival) return false;
+  throughput *= 1.0f / survival;
+  return true;
 }
 
 inline Continuation follow_delta(const Vertex& vertex, Drawn lobe) {
@@ -104,13 +121,11 @@ inline Continuation follow_non_delta(const Vertex& vertex, Drawn sampled, Sample
           .transmitted = transmitted};
 }
 
-/// One way on from the vertex. Draws no number where there is nothing to choose.
+/// One way on from the vertex.
 inline Continuation follow(const Vertex& vertex, Sampler& sampler) {
-  if (!(vertex.total_weight > 0)) return {};
-  const float u_choice = vertex.has_choice ? sampler.next() : 0.0f;
-  const Drawn lobe = draw(vertex.selection, vertex.lobes().size(), 1.0f, u_choice);
-  if (is_delta(vertex.lobes()[lobe.index])) return follow_delta(vertex, lobe);
-  return follow_non_delta(vertex, lobe, sampler);
+  const std::optional<Drawn> lobe = draw_lobe(vertex, sampler);
+  if (!lobe) return {};
+  return is_delta(vertex.lobes()[lobe->index]) ? follow_delta(vertex, *lobe) : follow_non_delta(vertex, *lobe, sampler);
 }
 
 }  // namespace heckbert::transport

@@ -1,6 +1,7 @@
 #pragma once
 // Errors planted on purpose, to see whether whoever compares algorithms finds them. Not installed, and no flag or
-// setting leads here: a test plants one, makes its renders, and takes it out again. Every Stage made in between has it.
+// setting leads here: a test plants one, makes its renders, and takes it out again. Every Stage made in between has it,
+// and it shows where gather_direct_light is used: in the path tracer and its kin, not in joins of walks from both ends.
 // Without one, next-event estimation compares a byte (docs/decisions/2026-11-28-verdicts.md).
 
 #include <cstdint>

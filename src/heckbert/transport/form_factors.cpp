@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -65,7 +66,7 @@ FormFactors::FormFactors(const PatchScene& patches, const std::vector<bool>& is_
   std::vector<std::vector<Transfer>> rows(sides);
   const auto area = [&](std::size_t side) { return patches.mesh.patches[side / 2].area; };
   for (std::size_t i = 0; i < sides; ++i)
-    for (const auto& [j, count] : landed[i]) {
+    for (const auto& [j, count] : std::exchange(landed[i], std::vector<Landed>())) {
       if (!is_marked[j]) continue;
       const float rays_of_both = static_cast<float>(rays.per_side) * (1 + area(i) / area(j));
       rows[i].push_back({j, static_cast<float>(count) / rays_of_both});
@@ -83,7 +84,7 @@ FormFactors::FormFactors(const PatchScene& patches, const std::vector<bool>& is_
         transfers_.push_back(transfer);
     }
     offsets_.push_back(transfers_.size());
-    row = {};
+    row = std::vector<Transfer>();
   }
 }
 

@@ -50,7 +50,7 @@ std::vector<Transfer> shoot(const PatchScene& patches, std::size_t side, FormFac
 class FormFactors {
  public:
   /// Of the sides that are marked; light neither leaves the others nor matters on them. Cost: per_side rays for each,
-  /// on all cores; memory: 16 bytes per ray at most.
+  /// on all cores; memory: 16 bytes per ray in the end, some 40 on the way.
   FormFactors(const PatchScene& patches, const std::vector<bool>& is_marked, FormFactorRays rays);
 
   std::span<const Transfer> row(std::size_t side) const {

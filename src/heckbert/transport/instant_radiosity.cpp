@@ -32,7 +32,7 @@ void trace_to_virtual_lights(const World& world, Walk& walk, Ray ray, float leas
     for (const LightWalk& light : *world.virtual_lights)
       for (std::size_t i = 0; i < light.vertices.size() && depth + static_cast<int>(i) + 2 <= world.max_depth; ++i) {
         const std::optional<Joint> joint = join(world.scene, vertex, light.vertices[i]);
-        if (!joint) continue;
+        if (!joint || is_blocked(world, walk, vertex, light.vertices[i], *joint)) continue;
         const float geometry =
             std::abs(joint->wi.z) * joint->cos_there / std::max(joint->squared_distance, least_square);
         add_joint(world, walk, vertex, node, light, i, *joint,

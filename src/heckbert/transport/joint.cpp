@@ -23,15 +23,16 @@ std::optional<Joint> join(const Scene& scene, const Vertex& here, const LightVer
   return joint;
 }
 
+bool is_blocked(const World& world, Walk& walk, const Vertex& here, const LightVertex& there, const Joint& joint) {
+  const bool to_front = glm::dot(joint.direction, here.hit.normal_geometric) > 0;
+  const bool from_front = glm::dot(joint.direction, there.hit.normal_geometric) < 0;
+  ++walk.rays;
+  return world.tracer.is_occluded(leave(here.hit, to_front), leave(there.hit, from_front));
+}
+
 void add_joint(const World& world, Walk& walk, const Vertex& here, taxonomy::WordTrie::Node node,
                const LightWalk& light, std::size_t number, const Joint& joint, Rgb carried) {
-  if (is_black(carried)) return;
   const Hit& there = light.vertices[number].hit;
-  const bool to_front = glm::dot(joint.direction, here.hit.normal_geometric) > 0;
-  const bool from_front = glm::dot(joint.direction, there.normal_geometric) < 0;
-  ++walk.rays;
-  if (world.tracer.is_occluded(leave(here.hit, to_front), leave(there, from_front))) return;
-
   const std::span<const Lobe> lobes = here.lobes();
   const record::Technique technique{static_cast<std::uint16_t>(number + 2)};
   for (std::size_t i = 0; i < lobes.size(); ++i) {

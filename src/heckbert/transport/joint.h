@@ -18,8 +18,11 @@ struct Joint {
 /// Nothing when no light goes that way.
 std::optional<Joint> join(const Scene& scene, const Vertex& here, const LightVertex& there);
 
-/// Finds a path for each pair of lobes, unless something is in between. `node` is the word up to but without the eye's
-/// vertex; `number` counts the light's vertices; `carried` is all but what the two vertices do.
+/// Is something in between? Counts its ray.
+bool is_blocked(const World& world, Walk& walk, const Vertex& here, const LightVertex& there, const Joint& joint);
+
+/// Finds a path for each pair of lobes. `node` is the word up to but without the eye's vertex; `number` counts the
+/// light's vertices; `carried` is all but what the two vertices do.
 void add_joint(const World& world, Walk& walk, const Vertex& here, taxonomy::WordTrie::Node node,
                const LightWalk& light, std::size_t number, const Joint& joint, Rgb carried);
 

@@ -11,10 +11,6 @@ using taxonomy::WordTrie;
 
 namespace {
 
-constexpr double weight_against(double rivals) {
-  return 1 / (1 + rivals);
-}
-
 /// A point as the eye sees it.
 struct Seen {
   Sight sight;
@@ -48,7 +44,7 @@ class Splatting {
     double rivals = 0;
     if (rivalry_ == Rivalry::All && !start.is_delta)
       rivals += squared(static_cast<double>(seen->per_area * cosine * world_.pixel_share / d.pdf_place));
-    rivals += lens_rival(pdf_departure(start, to_eye), *seen);
+    if (world_.eye.has_lens()) rivals += lens_rival(pdf_departure(start, to_eye), *seen);
     add(*seen, walk_.sink.words().eye(world_.eye.kind()), 0, sent * (seen->per_area / d.pdf_place), rivals, 1);
   }
 
@@ -64,7 +60,7 @@ class Splatting {
     const bool to_front = glm::dot(to_eye, at.hit.normal_geometric) > 0;
     if (is_hidden(leave(at.hit, to_front), seen->sight)) return;
     const float cosine = std::abs(glm::dot(at.hit.normal_geometric, to_eye));
-    double rivals = lens_rival(scattering.pdf_to_eye, *seen);
+    double rivals = world_.eye.has_lens() ? lens_rival(pdf_to_eye(at, to_eye), *seen) : 0;
     if (rivalry_ == Rivalry::All)
       rivals += at.rivals.sum(static_cast<double>(seen->per_area * cosine * world_.pixel_share),
                               static_cast<double>(scattering.pdf_to_light));
@@ -126,7 +122,7 @@ class Splatting {
     if (world_.tracer.is_occluded(Ray{sight->from, sight->direction})) return;
     const Seen seen{.sight = *sight, .pixel = *pixel, .per_area = sight->pixels};
     const Departure& d = start.departure;
-    double rivals = lens_rival(d.pdf / d.pdf_place, seen);
+    double rivals = world_.eye.has_lens() ? lens_rival(d.pdf / d.pdf_place, seen) : 0;
     if (rivalry_ == Rivalry::All && !start.is_delta)
       rivals += squared(static_cast<double>(sight->pixels * world_.pixel_share / d.pdf_place));
     add(seen, walk_.sink.words().eye(world_.eye.kind()), 0, start.radiance * (sight->pixels / d.pdf_place), rivals, 1);
@@ -139,9 +135,8 @@ class Splatting {
     return d.pdf / d.pdf_place * std::abs(glm::dot(start.normal, direction)) / d.cosine;
   }
 
-  /// The squared ratio of meeting the lens by chance to choosing this point of it.
+  /// The squared ratio of meeting the lens, if there is one, by chance to choosing this point of it.
   double lens_rival(float pdf_to_eye, const Seen& seen) const {
-    if (!world_.eye.has_lens()) return 0;
     return squared(static_cast<double>(pdf_to_eye * world_.eye.cosine(seen.sight.direction) / seen.squared_distance *
                                        world_.eye.lens_area()));
   }

@@ -18,10 +18,6 @@ Hit seen_from(const Hit& hit, glm::vec3 direction) {
   return seen;
 }
 
-float cosine(const Hit& hit, glm::vec3 direction) {
-  return std::abs(glm::dot(hit.normal_geometric, direction));
-}
-
 /// How a walk from the light goes on.
 struct Onward {
   Ray ray{};
@@ -32,15 +28,14 @@ struct Onward {
 
 Onward follow_light(const World& world, const LightVertex& at, Sampler& sampler) {
   const Vertex& vertex = at.vertex;
-  if (!(vertex.total_weight > 0)) return {};
-  const float u_choice = vertex.has_choice ? sampler.next() : 0.0f;
-  const Drawn drawn = draw(vertex.selection, vertex.lobes().size(), 1.0f, u_choice);
+  const std::optional<Drawn> drawn = draw_lobe(vertex, sampler);
+  if (!drawn) return {};
   const Labels::Id label = world.labels.surface(at.hit);
   const float cos_light = cosine(at.hit, at.to_light);
   if (!(cos_light > 0)) return {};
 
-  if (is_delta(vertex.lobes()[drawn.index])) {
-    const Continuation next = follow_delta(vertex, drawn);
+  if (is_delta(vertex.lobes()[drawn->index])) {
+    const Continuation next = follow_delta(vertex, *drawn);
     if (is_black(next.factor)) return {};
     const glm::vec3 to_eye = next.ray.direction;
     if (!is_shaded_alike(world.scene, vertex, to_eye)) return {};
@@ -54,7 +49,7 @@ Onward follow_light(const World& world, const LightVertex& at, Sampler& sampler)
             .step = {.is_delta = true, .pdf_reverse = 1, .cos_from = cos_eye}};
   }
 
-  const glm::vec3 out = draw_direction(vertex, drawn, sampler);
+  const glm::vec3 out = draw_direction(vertex, *drawn, sampler);
   if (out.z == 0) return {};
   const float pdf = vertex.values(out).pdf_solid_angle;
   if (!(pdf > 0)) return {};
@@ -135,9 +130,12 @@ Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) 
     result.letters[i] = letter(lobes[i], wi.z < 0);
   }
   result.pdf_to_light = values.pdf_solid_angle;
-  if (const glm::vec3 out = at.vertex.local(to_eye); out.z != 0)
-    result.pdf_to_eye = at.vertex.values(out).pdf_solid_angle;
   return result;
+}
+
+float pdf_to_eye(const LightVertex& at, glm::vec3 to_eye) {
+  const glm::vec3 out = at.vertex.local(to_eye);
+  return out.z == 0 ? 0.0f : at.vertex.values(out).pdf_solid_angle;
 }
 
 float pdf_from_light(const Scene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) {
@@ -152,7 +150,7 @@ LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& samp
   if (!light.start) return light;
   const Emitted& start = *light.start;
   Ray ray = start.ray;
-  Rgb throughput = start.throughput, reflected(1.0f);
+  Rgb reflected(1.0f);  // of what left the light
   Step step;
   const auto arrive = [&](double cos_to, double squared_distance, double pdf_of_rival) {
     if (light.vertices.empty()) return first_rivals(start, pdf_of_rival, cos_to, squared_distance);
@@ -168,26 +166,20 @@ LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& samp
       const glm::vec3 d = sight->from - ray.origin;
       const Rivals rivals = arrive(static_cast<double>(world.eye.cosine(ray.direction)),
                                    static_cast<double>(glm::dot(d, d)), static_cast<double>(start.departure.pdf_place));
-      light.through_lens.push_back({light.vertices.size(), *sight, throughput, rivals});
+      light.through_lens.push_back({light.vertices.size(), *sight, start.throughput * reflected, rivals});
     }
     if (!hit || light.vertices.size() == static_cast<std::size_t>(world.max_depth)) return light;
     const double cos_to = static_cast<double>(cosine(*hit, ray.direction));
     if (!(cos_to > 0)) return light;
     const Rivals rivals = arrive(cos_to, squared(static_cast<double>(farthest)),
                                  light.vertices.empty() ? pdf_next_event(world, start, hit->position) : 0.0);
-    LightVertex& at = light.vertices.emplace_back(world.scene, *hit, ray.direction, throughput);
+    LightVertex& at = light.vertices.emplace_back(world.scene, *hit, ray.direction, start.throughput * reflected);
     at.rivals = rivals;
 
     const Onward onward = follow_light(world, at, sampler);
     if (is_black(onward.factor)) return light;
-    throughput *= onward.factor;
     reflected *= onward.factor;
-    if (static_cast<int>(light.vertices.size()) >= kRouletteStart) {
-      const float survival = std::min(kHighestSurvival, max_channel(reflected));
-      if (sampler.next() >= survival) return light;
-      throughput *= 1.0f / survival;
-      reflected *= 1.0f / survival;
-    }
+    if (!survives(sampler, reflected, 1, static_cast<int>(light.vertices.size()))) return light;
     light.events.push_back(onward.event);
     step = onward.step;
     ray = onward.ray;

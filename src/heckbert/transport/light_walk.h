@@ -26,13 +26,26 @@
 // numbers.
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include <heckbert/transport/emission.h>
 #include <heckbert/transport/vertex.h>
 
 namespace heckbert::transport {
+
+/// The power heuristic against techniques whose squared ratios of density to one's own add up to `rivals`.
+constexpr double weight_against(double rivals) {
+  return 1 / (1 + rivals);
+}
+
+/// Of a direction with the geometric normal, on whichever side.
+inline float cosine(const Hit& hit, glm::vec3 direction) {
+  return std::abs(glm::dot(hit.normal_geometric, direction));
+}
 
 /// What bidirectional weights know of a walk up to a vertex; see above.
 struct Rivals {
@@ -115,10 +128,12 @@ struct Scattering {
     return std::ranges::all_of(f, [](Rgb value) { return heckbert::is_black(value); });
   }
   float pdf_to_light = 0;  ///< with which a walk from the eye would go on to the vertex before; per steradian
-  float pdf_to_eye = 0;    ///< with which this walk would go on that way
 };
 /// `to_eye` is unit.
 Scattering scatter(const Scene& scene, const LightVertex& vertex, glm::vec3 to_eye);
+
+/// The density with which the walk from the light would go on that way, per steradian.
+float pdf_to_eye(const LightVertex& vertex, glm::vec3 to_eye);
 
 /// The density with which a walk that comes from the light's side leaves a surface for the eye's side, per steradian.
 float pdf_from_light(const Scene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye);

@@ -7,6 +7,8 @@ namespace heckbert::transport {
 
 struct Method {
   RadiositySettings radiosity{};
+  float photon_radius =
+      0.01f;  ///< within which photons are near, of the radius of scene and eye; progressive: at first
   bool operator==(const Method&) const = default;
 };
 

@@ -22,15 +22,16 @@ struct MethodOption {
 };
 
 inline constexpr std::array<AlgorithmId, 2> kOverPatches{AlgorithmId::Radiosity, AlgorithmId::RadiosityMirrors};
+inline constexpr std::array<AlgorithmId, 2> kWithPhotons{AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons};
 
-inline constexpr std::array<MethodOption, 5> kMethodOptions{{
+inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"patch-edge", "longest edge of a patch, over the diagonal of the scene", kOverPatches, 1e-4, 1, false,
      [](const Method& m) { return static_cast<double>(m.radiosity.longest_edge); },
      [](Method& m, double value) { m.radiosity.longest_edge = static_cast<float>(value); }},
     {"refinements", "how often patches may be split where light bends", kOverPatches, 0, 8, true,
      [](const Method& m) { return static_cast<double>(m.radiosity.refinements); },
      [](Method& m, double value) { m.radiosity.refinements = static_cast<int>(value); }},
-    {"patch-rays", "rays from each side of a patch, for form factors", kOverPatches, 1, 1 << 20, true,
+    {"patch-rays", "rays from each side of a patch, for form factors", kOverPatches, 1, 1e6, true,
      [](const Method& m) { return static_cast<double>(m.radiosity.rays_per_side); },
      [](Method& m, double value) { m.radiosity.rays_per_side = static_cast<int>(value); }},
     {"shooting", "1: progressive refinement; 0: the full matrix", kOverPatches, 0, 1, true,
@@ -39,7 +40,10 @@ inline constexpr std::array<MethodOption, 5> kMethodOptions{{
     {"flat", "1: patches are shown constant; 0: interpolated", kOverPatches, 0, 1, true,
      [](const Method& m) { return m.radiosity.flat ? 1.0 : 0.0; },
      [](Method& m, double value) { m.radiosity.flat = value != 0; }},
-}};
+    {"photon-radius", "within which photons are near, over the radius of scene and eye; sppm: at first", kWithPhotons,
+     1e-6, 1, false, [](const Method& m) { return static_cast<double>(m.photon_radius); },
+     [](Method& m, double value) { m.photon_radius = static_cast<float>(value); }},
+});
 
 /// Does the algorithm read it?
 bool reads(AlgorithmId algorithm, const MethodOption& option);

@@ -98,11 +98,7 @@ void trace_path(const World& world, Walk& walk, Ray ray, PathTechniques techniqu
     throughput *= next.factor;
     radiance_scale *= next.radiance_scale;
     if (is_black(throughput)) return end(PathEnd::Absorbed);
-    if (depth + 1 >= kRouletteStart) {
-      const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
-      if (walk.sampler.next() >= survival) return end(PathEnd::Roulette);
-      throughput *= 1.0f / survival;
-    }
+    if (!survives(walk.sampler, throughput, radiance_scale, depth + 1)) return end(PathEnd::Roulette);
     const Labels::Id label =
         scattered ? world.labels.particle(*walk.bodies.medium(world.scene)) : world.labels.surface(*hit);
     node = walk.step(node, next.event, label);

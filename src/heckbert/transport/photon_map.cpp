@@ -45,30 +45,6 @@ struct PhotonMap::Row {
   }
 };
 
-namespace {
-
-/// What nanoflann fills with the points of a ball.
-class Near {
- public:
-  using DistanceType = float;
-  Near(float squared_radius, const std::vector<Photon>& photons, std::vector<const Photon*>& found)
-      : squared_radius_(squared_radius), photons_(photons), found_(found) {}
-  bool addPoint(float squared_distance, std::uint32_t index) {
-    if (squared_distance < squared_radius_) found_.push_back(&photons_[index]);
-    return true;
-  }
-  float worstDist() const { return squared_radius_; }
-  bool full() const { return true; }
-  std::size_t size() const { return found_.size(); }
-
- private:
-  float squared_radius_;
-  const std::vector<Photon>& photons_;
-  std::vector<const Photon*>& found_;
-};
-
-}  // namespace
-
 PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius) : radius_(radius) {
   const record::Window& window = world.window;
   std::vector<Row> rows(static_cast<std::size_t>(window.height()));
@@ -89,7 +65,7 @@ PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, flo
       if (way.before != kNone) way.before += first;
       ways_.push_back(way);
     }
-    row = {};
+    row = Row();
   }
   tree_ = std::make_unique<Tree>(photons_);
 }
@@ -99,8 +75,10 @@ PhotonMap::~PhotonMap() = default;
 void PhotonMap::find(glm::vec3 position, std::vector<const Photon*>& found) const {
   found.clear();
   if (photons_.empty()) return;
-  Near near(radius_ * radius_, photons_, found);
-  tree_->index.findNeighbors(near, &position.x, nanoflann::SearchParams());
+  thread_local std::vector<std::pair<std::uint32_t, float>> near;
+  nanoflann::RadiusResultSet<float, std::uint32_t> within(radius_ * radius_, near);  // which empties it
+  tree_->index.findNeighbors(within, &position.x, nanoflann::SearchParams());
+  for (const auto& [number, squared_distance] : near) found.push_back(&photons_[number]);
 }
 
 taxonomy::WordTrie::Node PhotonMap::spell(Walk& walk, taxonomy::WordTrie::Node node, const Photon& photon) const {

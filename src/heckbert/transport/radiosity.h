@@ -12,7 +12,7 @@ namespace heckbert::transport {
 /// Light is solved for so many bounces past the depth limit, to tell what the limit cuts off.
 inline constexpr int kBouncesPastTheLimit = 32;
 
-/// Walks one camera ray. `through_mirrors`: of the mirrors and panes that it meets, one event each is followed.
+/// Walks one camera ray, with or without mirrors and panes. Takes a scene without bodies.
 void trace_radiosity(const World& world, Walk& walk, Ray ray, const RadiositySolution& solution, bool through_mirrors);
 
 }  // namespace heckbert::transport

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -10,7 +11,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
@@ -71,7 +71,7 @@ void check(const Scene& scene, const RenderSettings& settings) {
           fmt::format("a sample map is for walks from the eye alone; {} has others", algorithm.title));
   require(settings.skip.empty() || !algorithm.passes,
           fmt::format("{} goes over the whole picture for each sample number: it skips no pixels", algorithm.title));
-  require(settings.merge_radius > 0, "the radius within which photons are near must be above 0");
+  require(settings.method.photon_radius > 0, "the radius within which photons are near must be above 0");
   require(!algorithm.patches || settings.labels == LabelRule{},
           "radiosity knows how often light was scattered, but not where: it can label no letters");
   for (const Material& material : scene.materials) check_material(scene, material);
@@ -126,7 +126,7 @@ class ProgressMeter {
 /// the same for all.
 float merge_radius(const RenderSettings& settings, const World& world, int sample) {
   constexpr float kAlpha = 0.75f;
-  const float first = settings.merge_radius * world.emission.radius();
+  const float first = settings.method.photon_radius * world.emission.radius();
   if (settings.algorithm == AlgorithmId::PhotonMap) return first;
   return first * std::pow(static_cast<float>(sample + 1), 0.5f * (kAlpha - 1.0f));
 }
@@ -151,8 +151,69 @@ class Preparation {
   std::deque<LightWalk> lights_;
 };
 
-/// Traces every tile of the picture. `make_worker()` is called once per thread; a worker has sink(), begin(tile),
-/// end(), and finish() for the end of its work.
+/// What is the same for all tiles, passes and threads of a render.
+struct Job {
+  const RenderSettings& settings;
+  const RenderHooks& hooks;
+  bool wants_words;
+  Window window;
+  std::vector<Window> tiles;
+
+  bool skips(int x, int y) const {
+    return !settings.skip.empty() &&
+           settings.skip[static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
+                         static_cast<std::size_t>(x - window.x0)];
+  }
+  bool is_stopped() const { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); }
+  /// A repeated sample is as good as one of another render.
+  SamplePlan plan(int repeat) const {
+    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;
+    return {settings.sampler, settings.seed ^ (static_cast<std::uint64_t>(repeat) * kGoldenRatio),
+            settings.samples_per_pixel};
+  }
+};
+
+/// Gives back how many rays it took. `found` is emptied.
+std::uint64_t trace_sample(const Job& job, const World& world, record::PathSink& sink,
+                           std::vector<record::Contribution>& found, const SamplePlan& plan, int x, int y, int sample) {
+  Walk walk{.sink = sink,
+            .found = found,
+            .sampler = Sampler(plan, x, y, sample),
+            .wants_words = job.wants_words,
+            .bodies = world.bodies_at_eye};
+  sink.begin_sample(x, y, sample);
+  found.clear();
+  trace(world, walk, x, y, job.settings.algorithm);
+  sink.add(found);
+  if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
+  return walk.rays;
+}
+
+struct Done {
+  std::size_t pixels = 0;
+  std::uint64_t rays = 0;
+};
+
+/// The samples of these numbers, of all pixels of a tile until the render is stopped.
+Done trace_tile(const Job& job, const World& world, record::PathSink& sink, std::vector<record::Contribution>& found,
+                const Window& tile, record::SampleRange samples) {
+  Done done;
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1 && !job.is_stopped(); ++x) {
+      if (job.skips(x, y)) continue;
+      ++done.pixels;
+      const int repeats = job.settings.sample_map ? job.settings.sample_map->at(x, y) : 1;
+      for (int repeat = 0; repeat < repeats; ++repeat) {
+        const SamplePlan plan = job.plan(repeat);
+        for (int sample = samples.first; sample < samples.last; ++sample)
+          done.rays += trace_sample(job, world, sink, found, plan, x, y, sample);
+      }
+    }
+  return done;
+}
+
+/// Traces every tile of the picture, once or in passes. `make_worker()` is called once per thread; a worker has sink(),
+/// begin(tile) and end() for each tile, and finish() for the end of its work.
 /// Gives back whether the whole picture was done.
 template <class MakeWorker>
 bool trace_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks, bool wants_words,
@@ -162,12 +223,14 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const Stage stage(scene, settings);
   const Window window = picture_window(settings);
-  const std::vector<Window> tiles = tiles_of(window);
-  const auto skips = [&](int x, int y) {
-    return !settings.skip.empty() &&
-           settings.skip[static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
-                         static_cast<std::size_t>(x - window.x0)];
-  };
+  const Job job{settings, hooks, wants_words, window, tiles_of(window)};
+
+  std::deque<decltype(make_worker())> workers;
+  for (int i = 0; i < threads; ++i) {
+    workers.push_back(make_worker());
+    stage.world().labels.number_in(workers.back().sink().words());
+  }
+
   // All samples in one pass, or one pass for each sample number.
   const record::SampleRange samples = samples_of(settings);
   const bool by_passes = facts(settings.algorithm).passes;
@@ -176,66 +239,34 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   const std::size_t pixel_count = pixels_per_pass * static_cast<std::size_t>(by_passes ? samples.count() : 1);
   ProgressMeter meter(hooks, pixel_count);
   std::atomic<std::size_t> pixels_done{0};
-  const auto stopped = [&] { return hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed); };
 
-  // A repeated sample is as good as one of another render.
-  const auto plan_of = [&](int repeat) {
-    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;
-    return SamplePlan{settings.sampler, settings.seed ^ (static_cast<std::uint64_t>(repeat) * kGoldenRatio),
-                      settings.samples_per_pixel};
-  };
-  const auto trace_pass = [&](const World& world, int first, int last) {
+  const auto trace_pass = [&](const World& world, record::SampleRange numbers) {
     std::atomic<std::size_t> next_tile{0};
-    const auto work = [&](const tbb::blocked_range<int>&) {
-      auto worker = make_worker();
-      record::PathSink& sink = worker.sink();
-      world.labels.number_in(sink.words());
-      std::vector<record::Contribution> found;
-      const auto trace_sample = [&](const SamplePlan& plan, int x, int y, int sample) {
-        Walk walk{.sink = sink,
-                  .found = found,
-                  .sampler = Sampler(plan, x, y, sample),
-                  .wants_words = wants_words,
-                  .bodies = world.bodies_at_eye};
-        sink.begin_sample(x, y, sample);
-        found.clear();
-        trace(world, walk, world.eye.ray(x, y, walk.sampler), settings.algorithm);
-        sink.add(found);
-        if (!is_black(walk.cut_off)) sink.add_cut_off(walk.cut_off);
-        return walk.rays;
-      };
-      for (std::size_t number; !stopped() && (number = next_tile++) < tiles.size();) {
-        const Window& tile = tiles[number];
-        std::uint64_t rays = 0;
-        std::size_t pixels = 0;
-        worker.begin(tile);
-        for (int y = tile.y0; y < tile.y1; ++y)
-          for (int x = tile.x0; x < tile.x1 && !stopped(); ++x) {
-            if (skips(x, y)) continue;
-            ++pixels;
-            const int repeats = settings.sample_map ? settings.sample_map->at(x, y) : 1;
-            for (int repeat = 0; repeat < repeats; ++repeat) {
-              const SamplePlan plan = plan_of(repeat);
-              for (int sample = first; sample < last; ++sample) rays += trace_sample(plan, x, y, sample);
-            }
+    tbb::parallel_for(
+        std::size_t{0}, workers.size(),
+        [&](std::size_t thread) {
+          auto& worker = workers[thread];
+          std::vector<record::Contribution> found;
+          for (std::size_t number; !job.is_stopped() && (number = next_tile++) < job.tiles.size();) {
+            worker.begin(job.tiles[number]);
+            const Done done = trace_tile(job, world, worker.sink(), found, job.tiles[number], numbers);
+            worker.end();
+            pixels_done += done.pixels;
+            meter.advance(done.pixels, done.rays);
           }
-        worker.end();
-        pixels_done += pixels;
-        meter.advance(pixels, rays);
-      }
-      worker.finish();
-    };
-    tbb::parallel_for(tbb::blocked_range<int>(0, threads, 1), work, tbb::simple_partitioner());
+        },
+        tbb::simple_partitioner());
   };
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    if (!by_passes) return trace_pass(stage.world(), samples.first, samples.last);
-    for (int sample = samples.first; sample < samples.last && !stopped(); ++sample) {
+    if (!by_passes) return trace_pass(stage.world(), samples);
+    for (int sample = samples.first; sample < samples.last && !job.is_stopped(); ++sample) {
       World world = stage.world();
-      const Preparation preparation(world, settings, plan_of(0), sample);
-      trace_pass(world, sample, sample + 1);
+      const Preparation preparation(world, settings, job.plan(0), sample);
+      trace_pass(world, {.first = sample, .last = sample + 1});
     }
   });
+  for (auto& worker : workers) worker.finish();
   return pixels_done == pixel_count;
 }
 
@@ -274,6 +305,7 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings) {
       .width = settings.width,
       .height = settings.height,
       .window = picture_window(settings),
+      .knows_cut_off = !facts(settings.algorithm).from_light,
       .max_depth = settings.max_depth,
       .labels = write(settings.labels),
       .version = HECKBERT_VERSION,
@@ -326,10 +358,14 @@ bool render_tiles(const Scene& scene, const RenderSettings& settings, const Rend
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
   check(scene, settings);
   if (facts(settings.algorithm).from_light) {
+    // Each is as large as the picture.
     std::vector<record::Tile> tiles;
-    const bool complete =
-        render_tiles(scene, settings, hooks, [&](record::Tile tile) { tiles.push_back(std::move(tile)); });
-    record::Sums sums{info_of(scene, settings), record::added(picture_window(settings), std::move(tiles))};
+    const auto add_up = [&] { return record::added(picture_window(settings), std::exchange(tiles, {})); };
+    const bool complete = render_tiles(scene, settings, hooks, [&](record::Tile tile) {
+      tiles.push_back(std::move(tile));
+      if (tiles.size() > 8) tiles = {add_up()};
+    });
+    record::Sums sums{info_of(scene, settings), add_up()};
     sums.info.partial = !complete;
     return record::record_of(std::move(sums));
   }

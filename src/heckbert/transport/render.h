@@ -14,6 +14,7 @@
 #include <heckbert/record/technique_table.h>
 #include <heckbert/transport/label_rule.h>
 #include <heckbert/transport/method.h>
+#include <heckbert/transport/reach.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
 
@@ -43,18 +44,8 @@ enum class AlgorithmId : std::uint8_t {
 enum class Accuracy : std::uint8_t {
   Unbiased,    ///< right on average, with any number of samples
   Consistent,  ///< right in the limit of finer and finer settings: photons, patches
-  Biased,      ///< something is left out for good
+  Biased,      ///< wrong in the limit too: something is left out or put in
   NotLight     ///< it shows something else than the scene's light
-};
-
-/// The techniques that an algorithm has for joining two walks, one from each end.
-enum class Reach : std::uint8_t {
-  Hit,        ///< walks from the eye that run into a light
-  NextEvent,  ///< walks from the eye that ask for a light
-  Eye,        ///< both of these
-  Light,      ///< walks from the light that run into the lens or ask for the eye
-  Both,       ///< all pairs
-  Merging     ///< all pairs, and vertices near each other count as one
 };
 
 struct AlgorithmFacts {
@@ -124,7 +115,7 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .from_light = true,
      .passes = true,
      .accuracy = Accuracy::Unbiased,
-     .reach = Reach::Both},
+     .reach = Reach::VirtualLights},
     {.id = AlgorithmId::InstantRadiosityClamped,
      .name = "vpl-clamped",
      .grammar = "instant-radiosity",
@@ -132,16 +123,33 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .from_light = true,
      .passes = true,
      .accuracy = Accuracy::Biased,
-     .reach = Reach::Both},
-    {AlgorithmId::Whitted, "whitted", "whitted", "Whitted's recursive ray tracer"},
-    {AlgorithmId::Lecture, "lecture", "lecture", "the lecture's recursive ray tracer"},
-    {AlgorithmId::Distribution, "distribution", "distribution-ray-tracing", "distribution ray tracing (Cook)"},
-    {AlgorithmId::RayCasting, "ray-casting", "ray-casting", "ray casting with shadow rays (Appel)"},
+     .reach = Reach::VirtualLights},
+    {.id = AlgorithmId::Whitted,
+     .name = "whitted",
+     .grammar = "whitted",
+     .title = "Whitted's recursive ray tracer",
+     .reach = Reach::Matt},
+    {.id = AlgorithmId::Lecture,
+     .name = "lecture",
+     .grammar = "lecture",
+     .title = "the lecture's recursive ray tracer",
+     .reach = Reach::Matt},
+    {.id = AlgorithmId::Distribution,
+     .name = "distribution",
+     .grammar = "distribution-ray-tracing",
+     .title = "distribution ray tracing (Cook)",
+     .reach = Reach::Shiny},
+    {.id = AlgorithmId::RayCasting,
+     .name = "ray-casting",
+     .grammar = "ray-casting",
+     .title = "ray casting with shadow rays (Appel)",
+     .reach = Reach::Matt},
     {.id = AlgorithmId::LocalShading,
      .name = "local-shading",
      .grammar = "local-shading",
      .title = "local shading without shadows (Phong)",
-     .accuracy = Accuracy::Biased},
+     .accuracy = Accuracy::Biased,
+     .reach = Reach::NextEvent},
     {.id = AlgorithmId::AmbientOcclusion,
      .name = "ambient-occlusion",
      .grammar = "ambient-occlusion",
@@ -163,6 +171,14 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .reach = Reach::Merging},
 });
 
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kAlgorithms.size(); ++i)
+        if (kAlgorithms[i].id != static_cast<AlgorithmId>(i)) return false;
+      return true;
+    }(),
+    "the table is in the order of AlgorithmId");
+
 constexpr const AlgorithmFacts& facts(AlgorithmId id) {
   return kAlgorithms[static_cast<std::size_t>(id)];
 }
@@ -176,8 +192,7 @@ struct RenderSettings {
   std::vector<bool> skip{};    ///< by pixel of the window, row by row: not to be traced; empty: all are
   int max_depth = 32;          ///< most scatterings per path
   std::uint64_t seed = 1;
-  int threads = 0;             ///< 0: all cores
-  float merge_radius = 0.01f;  ///< within which photons are near, of the radius of scene and eye; progressive: at first
+  int threads = 0;                                ///< 0: all cores
   std::optional<record::SampleMap> sample_map{};  ///< for the window; unset: every pixel once
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;

@@ -41,7 +41,7 @@ std::vector<RetracedPath> retrace(const Scene& scene, const RenderSettings& sett
     Trail trail;
     Walk walk{.sink = sink, .found = found, .sampler = Sampler(plan, x, y, sample), .bodies = world.bodies_at_eye};
     walk.trail = &trail;
-    trace(world, walk, world.eye.ray(x, y, walk.sampler), settings.algorithm);
+    trace(world, walk, x, y, settings.algorithm);
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (!record::is_recordable(found[i].value)) continue;
       std::reverse(trail.of_found[i].begin(), trail.of_found[i].end());

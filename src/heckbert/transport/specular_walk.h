@@ -8,42 +8,46 @@ namespace heckbert::transport {
 
 /// Calls shade(vertex, node, throughput, scatterings before it) at each vertex that has a lobe without a Dirac; `node`
 /// is the word so far, without what happens there. At a surface of both kinds of lobes the walk goes on by chance.
-/// Takes a scene without bodies.
+/// Past the depth limit a share of walks goes on to find out what it cuts off. Without `follows_mirrors` it ends at the
+/// first surface. Takes a scene without bodies.
 template <class Shade>
-void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade) {
+void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool follows_mirrors = true) {
   using record::PathEnd;
   using taxonomy::Symbol;
   taxonomy::WordTrie::Node node = walk.sink.words().eye(world.eye.kind());
   Rgb throughput(1.0f);
   float radiance_scale = 1;
+  std::optional<PastTheLimit> past_the_limit;
+  const auto end = [&](PathEnd how) {
+    if (!past_the_limit) walk.sink.end_path(how);
+  };
   for (int depth = 0;; ++depth) {
     ++walk.rays;
     const std::optional<Hit> hit = world.tracer.intersect(ray);
+    walk.arrive(depth, {hit ? hit->position : ray.direction, throughput, !hit});
     if (!hit) {
       const Rgb sky = world.lights.environment(ray.direction);
       if (!is_black(sky))
         add_hit(walk, node, Symbol::Le, world.labels.light({LightSource::Type::Environment, 0}), throughput * sky);
-      return walk.sink.end_path(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
+      return end(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     if (const Rgb emitted = world.lights.emitted(*hit); !is_black(emitted))
       add_hit(walk, node, Symbol::La, world.labels.light({LightSource::Type::Emitter, hit->emitter}),
               throughput * emitted);
-    if (depth == world.max_depth) return walk.sink.end_path(PathEnd::DepthLimit);
+    if (depth == world.max_depth) {
+      end(PathEnd::DepthLimit);
+      if (walk.sampler.next() >= PastTheLimit::kShare) return;
+      past_the_limit.emplace(walk);
+    }
     const Vertex vertex(world.scene, *hit, ray.direction);
     if (vertex.has_non_delta) shade(vertex, node, throughput, depth);
-    if (!(vertex.total_weight > 0)) return walk.sink.end_path(PathEnd::Absorbed);
-    const float u = vertex.has_choice ? walk.sampler.next() : 0.0f;
-    const Drawn lobe = draw(vertex.selection, vertex.lobes().size(), 1.0f, u);
-    if (!is_delta(vertex.lobes()[lobe.index])) return walk.sink.end_path(PathEnd::Absorbed);
-    const Continuation next = follow_delta(vertex, lobe);
+    const std::optional<Drawn> lobe = follows_mirrors ? draw_lobe(vertex, walk.sampler) : std::nullopt;
+    if (!lobe || !is_delta(vertex.lobes()[lobe->index])) return end(PathEnd::Absorbed);
+    const Continuation next = follow_delta(vertex, *lobe);
     throughput *= next.factor;
     radiance_scale *= next.radiance_scale;
-    if (is_black(throughput)) return walk.sink.end_path(PathEnd::Absorbed);
-    if (depth + 1 >= kRouletteStart) {
-      const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
-      if (walk.sampler.next() >= survival) return walk.sink.end_path(PathEnd::Roulette);
-      throughput *= 1.0f / survival;
-    }
+    if (is_black(throughput)) return end(PathEnd::Absorbed);
+    if (!survives(walk.sampler, throughput, radiance_scale, depth + 1)) return end(PathEnd::Roulette);
     node = walk.step(node, next.event, world.labels.surface(*hit));
     ray = next.ray;
   }

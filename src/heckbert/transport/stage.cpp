@@ -46,41 +46,42 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
   world_.radiosity = radiosity_.get();
 }
 
-void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm) {
+void trace(const World& world, Walk& walk, int x, int y, AlgorithmId algorithm) {
+  const auto ray = [&] { return world.eye.ray(x, y, walk.sampler); };
   switch (algorithm) {
     case AlgorithmId::Path:
-      return trace_path(world, walk, ray);
+      return trace_path(world, walk, ray());
     case AlgorithmId::PathHits:
-      return trace_path(world, walk, ray, {.next_event = false});
+      return trace_path(world, walk, ray(), {.next_event = false});
     case AlgorithmId::PathNextEvent:
-      return trace_path(world, walk, ray, {.hits = false});
+      return trace_path(world, walk, ray(), {.hits = false});
     case AlgorithmId::Light:
       return trace_from_light(world, walk);
     case AlgorithmId::Bidirectional:
-      return trace_bidirectionally(world, walk, ray);
+      return trace_bidirectionally(world, walk, ray());
     case AlgorithmId::PhotonMap:
     case AlgorithmId::ProgressivePhotons:
-      return trace_to_photons(world, walk, ray);
+      return trace_to_photons(world, walk, ray());
     case AlgorithmId::InstantRadiosity:
-      return trace_to_virtual_lights(world, walk, ray, 0);
+      return trace_to_virtual_lights(world, walk, ray(), 0);
     case AlgorithmId::InstantRadiosityClamped:
-      return trace_to_virtual_lights(world, walk, ray, kClampedDistance * world.emission.radius());
+      return trace_to_virtual_lights(world, walk, ray(), kClampedDistance * world.emission.radius());
     case AlgorithmId::Whitted:
-      return trace_recursively(world, walk, ray, {});
+      return trace_recursively(world, walk, ray(), {});
     case AlgorithmId::Lecture:
-      return trace_recursively(world, walk, ray, {.glossy_highlights = false, .mirror_at_diffuse = true});
+      return trace_recursively(world, walk, ray(), {.glossy_highlights = false, .mirror_at_diffuse = true});
     case AlgorithmId::Distribution:
-      return trace_recursively(world, walk, ray, {.spread_glossy = true});
+      return trace_recursively(world, walk, ray(), {.spread_glossy = true});
     case AlgorithmId::RayCasting:
-      return cast_ray(world, walk, ray);
+      return cast_ray(world, walk, ray());
     case AlgorithmId::LocalShading:
-      return shade_locally(world, walk, ray);
+      return shade_locally(world, walk, ray());
     case AlgorithmId::AmbientOcclusion:
-      return trace_occlusion(world, walk, ray);
+      return trace_occlusion(world, walk, ray());
     case AlgorithmId::Radiosity:
-      return trace_radiosity(world, walk, ray, *world.radiosity, false);
+      return trace_radiosity(world, walk, ray(), *world.radiosity, false);
     case AlgorithmId::RadiosityMirrors:
-      return trace_radiosity(world, walk, ray, *world.radiosity, true);
+      return trace_radiosity(world, walk, ray(), *world.radiosity, true);
   }
 }
 

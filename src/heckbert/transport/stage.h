@@ -29,7 +29,7 @@ class Stage {
   World world_;
 };
 
-/// Walks one camera ray by an algorithm; what it finds is in walk.found.
-void trace(const World& world, Walk& walk, const Ray& ray, AlgorithmId algorithm);
+/// Takes one sample of a pixel by an algorithm; what it finds is in walk.found.
+void trace(const World& world, Walk& walk, int x, int y, AlgorithmId algorithm);
 
 }  // namespace heckbert::transport

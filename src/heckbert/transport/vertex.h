@@ -1,6 +1,7 @@
 #pragma once
 // One vertex of a path: a hit with its local frame, its lobes, and the probabilities with which one of them is
-// followed. The two integrators share it, and with it the one place where direct light is gathered lobe by lobe.
+// followed. All integrators share it; those that ask lights from the eye's side alone also share how direct light is
+// gathered lobe by lobe.
 
 #include <array>
 #include <deque>

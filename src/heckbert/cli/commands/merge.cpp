@@ -106,7 +106,7 @@ ExitCode run(const MergeOptions& options) {
   if (options.json) {
     report::Json json = report::document_of("heckbert.merge");
     json["render"] = report::to_json(record.info);
-    json["tally"] = report::to_json(record.tally);
+    json["tally"] = report::to_json(record.info, record.tally);
     json["words"] = record.words.size();
     json["missing"] = to_json(missing);
     json["keeps_sums"] = keeps_sums;

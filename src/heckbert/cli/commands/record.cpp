@@ -59,7 +59,7 @@ ExitCode run_import(const ImportOptions& options) {
   if (options.json) {
     report::Json json = report::document_of("heckbert.record_import");
     json["render"] = report::to_json(record.info);
-    json["tally"] = report::to_json(record.tally);
+    json["tally"] = report::to_json(record.info, record.tally);
     json["words"] = record.words.size();
     json["file"] = options.output;
     fmt::print("{}", report::dump(json));

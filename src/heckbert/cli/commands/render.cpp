@@ -234,7 +234,7 @@ report::Json to_json(const Outputs& outputs, const record::Record& record, const
                      const import::Account& account) {
   report::Json json = report::document_of("heckbert.render");
   json["render"] = report::to_json(record.info);
-  json["tally"] = report::to_json(record.tally);
+  json["tally"] = report::to_json(record.info, record.tally);
   json["seconds"] = work.seconds;
   json["rays"] = work.rays;
   json["words"] = record.words.size();
@@ -366,8 +366,8 @@ std::string methods_text() {
     std::string readers;
     for (const transport::AlgorithmId id : option.algorithms)
       readers += fmt::format("{}{}", readers.empty() ? "" : ", ", transport::facts(id).name);
-    text += fmt::format("  {:<14} {}; {:g} to {:g} (default: {:g})\n{:17}for {}\n", option.name, option.meaning,
-                        option.least, option.most, option.get({}), "", readers);
+    text += fmt::format("  {:<14} {}\n{:17}{:.7g} to {:.7g} (default: {:.7g}), for {}\n", option.name, option.meaning,
+                        "", option.least, option.most, option.get({}), readers);
   }
   return text;
 }

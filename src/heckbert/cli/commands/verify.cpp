@@ -20,7 +20,6 @@
 #include <heckbert/cli/settings.h>
 #include <heckbert/cli/trial.h>
 #include <heckbert/cli/trial_settings.h>
-#include <heckbert/record/file.h>
 #include <heckbert/report/numbers.h>
 #include <heckbert/report/verdict.h>
 #include <heckbert/report/verdict_json.h>
@@ -28,6 +27,7 @@
 #include <heckbert/report/verdict_text.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/symbol_set.h>
+#include <heckbert/transport/scene_hash.h>
 
 namespace heckbert::cli {
 namespace {
@@ -92,10 +92,12 @@ std::vector<const transport::AlgorithmFacts*> algorithms_of(const VerifyOptions&
   return chosen;
 }
 
-/// From a file. Errors: ReadError for a record that is of another picture or says nothing of its spread.
-TrialRun read_reference(const std::string& name, const transport::RenderSettings& settings,
-                        const std::vector<taxonomy::Language>& pictures) {
-  const record::Record record = record::read_record(name);
+/// From a file. Errors: ReadError for a record that is of another picture, lacks some of it or says nothing of its
+/// spread.
+TrialRun read_reference(const std::string& name, const transport::Scene& scene,
+                        const transport::RenderSettings& settings, const std::vector<taxonomy::Language>& pictures,
+                        const Console& console) {
+  const record::Record record = read_record(name);
   const auto algorithm =
       std::find_if(transport::kAlgorithms.begin(), transport::kAlgorithms.end(),
                    [&](const transport::AlgorithmFacts& facts) { return facts.name == record.info.algorithm; });
@@ -105,6 +107,13 @@ TrialRun read_reference(const std::string& name, const transport::RenderSettings
     throw ReadError(fmt::format("{}: has another size than {}x{}; give --size", name, settings.width, settings.height));
   if (record::batches_in_use(record.info) < 2)
     throw ReadError(fmt::format("{}: without batches its spread is not known", name));
+  if (record.info.partial) throw ReadError(fmt::format("{}: was interrupted, and some pixels are black", name));
+  if (record.folding) throw ReadError(fmt::format("{}: its long words are folded, so they are not known", name));
+  if (record.info.max_depth != settings.max_depth)
+    throw ReadError(fmt::format("{}: is of at most {} scatterings, not {}; give --max-depth", name,
+                                record.info.max_depth, settings.max_depth));
+  if (record.info.scene_hash != fmt::format("{:016x}", transport::hash_of(scene)))
+    console.note(fmt::format("warning: {} is of another scene, or of an earlier state of this one", name));
   TrialRun run{.algorithm = &*algorithm};
   run.evidence.take_batches_of(record, pictures);
   return run;
@@ -130,7 +139,7 @@ void write_pictures(const std::string& folder, const std::vector<report::Witness
   console.note(fmt::format("wrote {} into {}", report::counted(3 * trials.size(), "picture"), folder));
 }
 
-report::Json to_json(const VerifyOptions& options, const transport::RenderSettings& settings,
+report::Json to_json(const VerifyOptions& options, const transport::RenderSettings& settings, int samples_per_pixel,
                      const std::vector<TrialRun>& trusted, taxonomy::Symbol eye,
                      const report::Verification& verification) {
   report::Json json = report::document_of("heckbert.verify");
@@ -138,7 +147,7 @@ report::Json to_json(const VerifyOptions& options, const transport::RenderSettin
   json["eye"] = taxonomy::name(eye);
   json["width"] = settings.width;
   json["height"] = settings.height;
-  json["samples_per_pixel"] = settings.samples_per_pixel;
+  json["samples_per_pixel"] = samples_per_pixel;
   json["seed"] = settings.seed;
   json["max_depth"] = settings.max_depth;
   json["references"] = report::Json::array();
@@ -164,12 +173,7 @@ ExitCode run(const VerifyOptions& options) {
   const InterruptGuard interrupt;
   const auto run_one = [&](const transport::AlgorithmFacts& algorithm, const transport::RenderSettings& render,
                            std::span<const taxonomy::Language> pictures, std::vector<TrialRun>& runs) {
-    std::optional<TrialRun> done = run_trial(algorithm, scene, render, pictures, interrupt.stop());
-    if (!done) return false;
-    console.note(fmt::format("{}: {} samples per pixel in {:.2f} s", algorithm.name, done->evidence.samples_per_pixel(),
-                             done->seconds));
-    runs.push_back(std::move(*done));
-    return true;
+    return try_out(algorithm, scene, render, pictures, interrupt.stop(), console, runs);
   };
   // What each algorithm is predicted to find, as far as a reference vouches for it, and last all that it vouches for.
   const auto predictions = [&](const taxonomy::Language& vouched) {
@@ -181,7 +185,8 @@ ExitCode run(const VerifyOptions& options) {
   };
   std::vector<TrialRun> trusted, runs;
   if (!options.reference.empty()) {
-    trusted.push_back(read_reference(options.reference, of_trials, predictions(words_between(lights, eye))));
+    trusted.push_back(
+        read_reference(options.reference, scene, of_trials, predictions(words_between(lights, eye)), console));
   } else {
     const transport::RenderSettings reference =
         reference_settings(of_trials, options.reference_samples > 0 ? static_cast<int>(options.reference_samples)
@@ -201,7 +206,8 @@ ExitCode run(const VerifyOptions& options) {
   if (options.fine) rules.spelling = report::Spelling::Fine;
   const report::Verification verification = report::verify(trials, witnesses, lights, rules);
   if (options.json)
-    fmt::print("{}", report::dump(to_json(options, of_trials, trusted, eye, verification)));
+    fmt::print("{}", report::dump(to_json(options, of_trials, runs.front().evidence.samples_per_pixel(), trusted, eye,
+                                          verification)));
   else
     fmt::print("{}", report::verification_text(verification, console.table_style(), options.top));
   if (wants_pictures) write_pictures(options.folder, witnesses, trials, console);

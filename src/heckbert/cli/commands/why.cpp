@@ -105,23 +105,6 @@ std::vector<const AlgorithmFacts*> all_who_know(const transport::Scene& scene) {
   return known;
 }
 
-bool has_strategy(transport::Reach reach, const taxonomy::Strategy& strategy) {
-  switch (reach) {
-    case transport::Reach::Hit:
-      return strategy.light_vertices == 0;
-    case transport::Reach::NextEvent:
-      return strategy.light_vertices == 1;
-    case transport::Reach::Eye:
-      return strategy.light_vertices <= 1;
-    case transport::Reach::Light:
-      return strategy.eye_vertices <= 1;
-    case transport::Reach::Both:
-    case transport::Reach::Merging:
-      return true;
-  }
-  return false;
-}
-
 /// What each technique of the algorithm brings, measured.
 std::vector<report::MeasuredTechnique> measured_techniques(const AlgorithmFacts& algorithm,
                                                            const transport::Scene& scene,
@@ -132,7 +115,7 @@ std::vector<report::MeasuredTechnique> measured_techniques(const AlgorithmFacts&
   std::vector<report::MeasuredTechnique> measured;
   for (const record::TechniqueSum& sum :
        transport::measure_techniques(scene, settings, {.progress = {}, .stop = &stop})) {
-    const record::TechniqueEnergy energy = record::energy_of(sum, info);
+    const record::Estimate energy = record::energy_of(sum, info);
     measured.push_back({.word = sum.word,
                         .light_vertices = sum.technique.light_vertices,
                         .merged = sum.technique.merged,
@@ -161,12 +144,7 @@ ExitCode run(const WhyOptions& options) {
   const InterruptGuard interrupt;
   const auto run_one = [&](const AlgorithmFacts& algorithm, const transport::RenderSettings& with,
                            std::span<const taxonomy::Language> pictures, std::vector<TrialRun>& runs) {
-    std::optional<TrialRun> done = run_trial(algorithm, scene, with, pictures, interrupt.stop());
-    if (!done) return false;
-    console.note(fmt::format("{}: {} samples per pixel in {:.2f} s", algorithm.name, done->evidence.samples_per_pixel(),
-                             done->seconds));
-    runs.push_back(std::move(*done));
-    return true;
+    return try_out(algorithm, scene, with, pictures, interrupt.stop(), console, runs);
   };
   std::vector<TrialRun> known, runs;
   for (const AlgorithmFacts* algorithm : all_who_know(scene))
@@ -187,14 +165,18 @@ ExitCode run(const WhyOptions& options) {
     if (const auto needed = report::samples_for_picture(made.evidence.image(0), samples, rules.error))
       candidates.back().seconds = made.seconds / samples * *needed;
   }
+  const std::vector<report::MeasuredTechnique> measured = measured_techniques(suspect, scene, render, interrupt.stop());
+  if (interrupt.stop()) return ExitCode::Interrupted;
   const report::Diagnosis diagnosis =
       report::diagnose({.algorithm = std::string(suspect.name),
                         .title = std::string(suspect.title),
                         .evidence = &runs.front().evidence,
                         .claimed = claimed_by(suspect),
-                        .has = [&](const taxonomy::Strategy& s) { return has_strategy(suspect.reach, s); }},
-                       witnesses_of(known), std::move(candidates),
-                       measured_techniques(suspect, scene, render, interrupt.stop()), words, rules);
+                        .has =
+                            [&](const taxonomy::Word& word, const taxonomy::Strategy& s) {
+                              return transport::has_technique(suspect.reach, word, s.light_vertices);
+                            }},
+                       witnesses_of(known), std::move(candidates), measured, words, rules);
   if (!options.plot.empty()) {
     write_bytes(options.plot, report::candidates_svg(diagnosis));
     console.note("wrote " + options.plot);
@@ -207,7 +189,7 @@ ExitCode run(const WhyOptions& options) {
     json["width"] = render.width;
     json["height"] = render.height;
     json["window"] = {{"x0", window.x0}, {"y0", window.y0}, {"x1", window.x1}, {"y1", window.y1}};
-    json["samples_per_pixel"] = render.samples_per_pixel;
+    json["samples_per_pixel"] = runs.front().evidence.samples_per_pixel();
     json["seed"] = render.seed;
     json["max_depth"] = render.max_depth;
     json.update(report::to_json(diagnosis));
