@@ -13,7 +13,8 @@
 namespace heckbert::transport {
 namespace {
 
-constexpr AlgorithmId kMerging[] = {AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons};
+constexpr AlgorithmId kMerging[] = {AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons,
+                                    AlgorithmId::ConnectionAndMerging};
 constexpr double kD = 0.5, kS = 0.3;
 
 Material wall(float emission) {

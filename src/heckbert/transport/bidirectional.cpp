@@ -8,7 +8,7 @@
 #include <heckbert/transport/continuation.h>
 #include <heckbert/transport/joint.h>
 #include <heckbert/transport/light_to_eye.h>
-#include <heckbert/transport/light_walk.h>
+#include <heckbert/transport/vertex_merging.h>
 
 namespace heckbert::transport {
 
@@ -18,16 +18,6 @@ using taxonomy::Symbol;
 using taxonomy::WordTrie;
 
 namespace {
-
-/// A surface that the walk from the eye came to.
-struct EyeVertex {
-  const Vertex& vertex;
-  glm::vec3 to_eye;  ///< unit, towards the vertex before
-  Rgb throughput;
-  Rivals rivals;
-  WordTrie::Node node = 0;  ///< the word so far, without what happens here
-  int scatterings = 0;      ///< before this one
-};
 
 class EyeWalk {
  public:
@@ -55,12 +45,14 @@ class EyeWalk {
       add_emitted(*hit, ray, node, throughput, rivals, depth);
       if (depth == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
 
+      rivals.near += squared(world_.merging);
       const Vertex vertex(world_.scene, *hit, ray.direction);
       const EyeVertex at{vertex, -ray.direction, throughput, rivals, node, depth};
       if (vertex.has_non_delta) {
         join_light(at);
         for (std::size_t i = 0; i < light_.vertices.size() && depth + static_cast<int>(i) + 2 <= world_.max_depth; ++i)
           join_vertex(at, i);
+        if (world_.photons != nullptr) merge(world_, walk_, at);
       }
       const Continuation next = follow(vertex, walk_.sampler);
       throughput *= next.factor;
@@ -74,7 +66,7 @@ class EyeWalk {
       step = {.is_delta = is_delta,
               .pdf_solid_angle = static_cast<double>(next.pdf_solid_angle),
               .pdf_reverse = is_delta ? (is_shaded_alike(world_.scene, vertex, onward) ? 1.0 : 0.0)
-                                      : static_cast<double>(pdf_from_light(world_.scene, *hit, onward, at.to_eye)),
+                                      : at.pdf_to_eye(world_.scene, onward),
               .cos_from = static_cast<double>(cosine(*hit, onward))};
       ray = next.ray;
     }
@@ -148,7 +140,7 @@ class EyeWalk {
                            : light.is_delta ? static_cast<double>(glm::dot(edge, edge))
                                             : static_cast<double>(departure.cosine);
     const double reached = static_cast<double>(departure.pdf * cosine(hit, light.direction)) / (pdf_light * measure);
-    double others = at.rivals.sum(reached, reverse_pdf(at, light.direction));
+    double others = at.rivals.sum(reached, at.pdf_to_eye(world_.scene, light.direction));
     if (!light.is_delta) others += squared(static_cast<double>(values.pdf_solid_angle) / pdf_light);
 
     const Rgb incident = at.throughput * arriving *
@@ -171,15 +163,10 @@ class EyeWalk {
     const auto pdf_there = static_cast<double>(joint->here.pdf_solid_angle * joint->cos_there / d2);
     const auto pdf_here = static_cast<double>(pdf_to_eye(other, -joint->direction) * cos_here / d2);
     const double others = other.rivals.sum(pdf_there, static_cast<double>(joint->there.pdf_to_light)) +
-                          at.rivals.sum(pdf_here, reverse_pdf(at, joint->direction));
+                          at.rivals.sum(pdf_here, at.pdf_to_eye(world_.scene, joint->direction));
     const float geometry = std::abs(joint->wi.z) * joint->cos_there / d2;
     add_joint(world_, walk_, at.vertex, at.node, light_, number, *joint,
               at.throughput * other.throughput * (geometry * static_cast<float>(weight_against(others))));
-  }
-
-  /// With which a walk that comes from `to_light` would leave this vertex for the one before.
-  double reverse_pdf(const EyeVertex& at, glm::vec3 to_light) const {
-    return static_cast<double>(pdf_from_light(world_.scene, at.vertex.hit, to_light, at.to_eye));
   }
 
   const World& world_;

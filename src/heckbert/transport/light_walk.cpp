@@ -175,6 +175,7 @@ LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& samp
                                  light.vertices.empty() ? pdf_next_event(world, start, hit->position) : 0.0);
     LightVertex& at = light.vertices.emplace_back(world.scene, *hit, ray.direction, start.throughput * reflected);
     at.rivals = rivals;
+    at.rivals.near += squared(world.merging);
 
     const Onward onward = follow_light(world, at, sampler);
     if (is_black(onward.factor)) return light;

@@ -52,7 +52,7 @@ struct Rivals {
   double near = 0, far = 0;
   /// The sum of the squared ratios of all techniques in which this vertex is of the other walk, which reaches it with
   /// `pdf_area` and would go on from it along this walk's own way with `pdf_solid_angle`.
-  double sum(double pdf_area, double pdf_solid_angle) const {
+  constexpr double sum(double pdf_area, double pdf_solid_angle) const {
     return pdf_area * pdf_area * (near + pdf_solid_angle * pdf_solid_angle * far);
   }
 };

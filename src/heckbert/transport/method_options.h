@@ -22,7 +22,8 @@ struct MethodOption {
 };
 
 inline constexpr std::array<AlgorithmId, 2> kOverPatches{AlgorithmId::Radiosity, AlgorithmId::RadiosityMirrors};
-inline constexpr std::array<AlgorithmId, 2> kWithPhotons{AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons};
+inline constexpr std::array<AlgorithmId, 3> kWithPhotons{AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons,
+                                                         AlgorithmId::ConnectionAndMerging};
 
 inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"patch-edge", "longest edge of a patch, over the diagonal of the scene", kOverPatches, 1e-4, 1, false,
@@ -40,7 +41,7 @@ inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"flat", "1: patches are shown constant; 0: interpolated", kOverPatches, 0, 1, true,
      [](const Method& m) { return m.radiosity.flat ? 1.0 : 0.0; },
      [](Method& m, double value) { m.radiosity.flat = value != 0; }},
-    {"photon-radius", "within which photons are near, over the radius of scene and eye; sppm: at first", kWithPhotons,
+    {"photon-radius", "within which photons are near, over the radius of the scene; sppm, vcm: at first", kWithPhotons,
      1e-6, 1, false, [](const Method& m) { return static_cast<double>(m.photon_radius); },
      [](Method& m, double value) { m.photon_radius = static_cast<float>(value); }},
 });

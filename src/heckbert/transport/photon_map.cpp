@@ -36,7 +36,7 @@ struct PhotonMap::Row {
     for (std::size_t i = 0; i < light.vertices.size(); ++i) {
       const LightVertex& at = light.vertices[i];
       if (can_be_joined(at))
-        photons.push_back({at.hit.position, at.to_light, at.hit.normal_geometric, at.throughput, way,
+        photons.push_back({at.hit.position, at.to_light, at.hit.normal_geometric, at.throughput, at.rivals, way,
                            static_cast<std::uint16_t>(i + 1)});
       if (i == light.events.size()) break;
       ways.push_back({light.events[i], way});
@@ -45,7 +45,8 @@ struct PhotonMap::Row {
   }
 };
 
-PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius) : radius_(radius) {
+PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius)
+    : radius_(radius), walks_(world.window.pixel_count()) {
   const record::Window& window = world.window;
   std::vector<Row> rows(static_cast<std::size_t>(window.height()));
   tbb::parallel_for(window.y0, window.y1, [&](int y) {

@@ -19,13 +19,15 @@ struct Photon {
   glm::vec3 to_light;          ///< unit, to where it came from
   glm::vec3 normal;            ///< geometric, of the surface it lies on
   Rgb power;                   ///< of all walks together; divide by their number
+  Rivals rivals;               ///< as its walk's vertex has them
   std::uint32_t way = 0;       ///< place in the map's ways
   std::uint16_t vertices = 0;  ///< surfaces on its walk, this one too
 };
 
 class PhotonMap {
  public:
-  /// Walks once per pixel of world.window; photons within `radius` of each other are near. Cost: n log n.
+  /// Walks once per pixel of world.window, as that pixel's sample does whose algorithm walks from the light too;
+  /// photons within `radius` of each other are near. Cost: n log n.
   PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius);
   ~PhotonMap();
   PhotonMap(const PhotonMap&) = delete;
@@ -33,6 +35,7 @@ class PhotonMap {
 
   float radius() const { return radius_; }
   std::size_t size() const { return photons_.size(); }
+  std::size_t walks() const { return walks_; }
   /// All photons near a place, in no certain order; replaces what `found` had.
   void find(glm::vec3 position, std::vector<const Photon*>& found) const;
   /// The word of a path whose part up to and with the photon's surface is spelt at `node`.
@@ -49,6 +52,7 @@ class PhotonMap {
   struct Row;
 
   float radius_;
+  std::size_t walks_;
   std::vector<Photon> photons_;
   std::vector<Way> ways_;
   std::unique_ptr<Tree> tree_;

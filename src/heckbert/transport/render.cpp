@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <deque>
 #include <mutex>
 #include <stdexcept>
@@ -19,10 +18,9 @@
 #include <heckbert/record/recorder.h>
 #include <heckbert/record/sums.h>
 #include <heckbert/transport/filter.h>
-#include <heckbert/transport/instant_radiosity.h>
 #include <heckbert/transport/material.h>
 #include <heckbert/transport/method_options.h>
-#include <heckbert/transport/photon_map.h>
+#include <heckbert/transport/pass.h>
 #include <heckbert/transport/scene_hash.h>
 #include <heckbert/transport/stage.h>
 #include <heckbert/transport/travel.h>
@@ -120,35 +118,6 @@ class ProgressMeter {
   std::uint64_t rays_ = 0;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_ = start_;
-};
-
-/// Within which photons are near, for a sample number: shrinking by the rule of Georgiev et al. 2012 (equation 20), or
-/// the same for all.
-float merge_radius(const RenderSettings& settings, const World& world, int sample) {
-  constexpr float kAlpha = 0.75f;
-  const float first = settings.method.photon_radius * world.emission.radius();
-  if (settings.algorithm == AlgorithmId::PhotonMap) return first;
-  return first * std::pow(static_cast<float>(sample + 1), 0.5f * (kAlpha - 1.0f));
-}
-
-/// What a pass needs, and gives to the world of that pass.
-class Preparation {
- public:
-  Preparation(World& world, const RenderSettings& settings, const SamplePlan& plan, int sample) {
-    if (settings.algorithm == AlgorithmId::PhotonMap || settings.algorithm == AlgorithmId::ProgressivePhotons) {
-      photons_.emplace(world, plan, sample, merge_radius(settings, world, sample));
-      world.photons = &*photons_;
-    } else {
-      lights_ = virtual_lights(world, plan, sample);
-      world.virtual_lights = &lights_;
-    }
-  }
-  Preparation(const Preparation&) = delete;
-  Preparation& operator=(const Preparation&) = delete;
-
- private:
-  std::optional<PhotonMap> photons_;
-  std::deque<LightWalk> lights_;
 };
 
 /// What is the same for all tiles, passes and threads of a render.
@@ -261,9 +230,8 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
   arena.execute([&] {
     if (!by_passes) return trace_pass(stage.world(), samples);
     for (int sample = samples.first; sample < samples.last && !job.is_stopped(); ++sample) {
-      World world = stage.world();
-      const Preparation preparation(world, settings, job.plan(0), sample);
-      trace_pass(world, {.first = sample, .last = sample + 1});
+      const Pass pass(stage.world(), settings, job.plan(0), sample);
+      trace_pass(pass.world(), {.first = sample, .last = sample + 1});
     }
   });
   for (auto& worker : workers) worker.finish();

@@ -58,6 +58,7 @@ void trace(const World& world, Walk& walk, int x, int y, AlgorithmId algorithm) 
     case AlgorithmId::Light:
       return trace_from_light(world, walk);
     case AlgorithmId::Bidirectional:
+    case AlgorithmId::ConnectionAndMerging:
       return trace_bidirectionally(world, walk, ray());
     case AlgorithmId::PhotonMap:
     case AlgorithmId::ProgressivePhotons:

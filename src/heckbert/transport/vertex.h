@@ -43,6 +43,8 @@ struct World {
   record::Window window{};  ///< the part of the picture that is traced
   float pixel_share = 1;    ///< one over the number of its pixels
   Fault fault{};            ///< none, but in tests
+  /// Where walks are merged too (vertex_merging.h), pi r^2 times the number of walks from the light; 0 elsewhere.
+  double merging = 0;
   /// Of the sample number under way, for algorithms that use them.
   const PhotonMap* photons = nullptr;
   const std::deque<LightWalk>* virtual_lights = nullptr;
