@@ -1,11 +1,6 @@
-// `heckbert verify` as people run it, and the table of verdicts on the built-in scenes, which docs/verify.md and
-// README.md show. HECKBERT_UPDATE_DOCS=1 in the environment of this test writes it anew.
+// `heckbert verify` and `heckbert why` as people run them.
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -69,6 +64,53 @@ TEST(Verify, WordsOfOtherValuesThanTheReferenceSaysAreANo) {
   EXPECT_NEAR(verdict["words"][0]["ratio"]["mean"].get<double>(), 0.5, 0.01);
 }
 
+TEST(Verify, FollowsErrorsOfPhotonsThroughCoarserRadii) {
+  const std::vector<std::string> verify{"verify", "cornell", "--algorithm", "photon-map",      "--size",
+                                        "32x32",  "--spp",   "64",          "--reference-spp", "128"};
+  std::vector<std::string> coarse = verify;
+  coarse.insert(coarse.end(), {"--method", "photon-radius=0.04", "--json"});
+  const Outcome outcome = run(coarse);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json verdict = json::parse(outcome.out)["verdicts"][0];
+  EXPECT_EQ(verdict["verdict"], "converges");
+  EXPECT_EQ(verdict["refined_by"], "photon-radius");
+  ASSERT_EQ(verdict["sizes"].size(), 3u);
+  EXPECT_FLOAT_EQ(verdict["sizes"][0].get<float>(), 0.16f);
+  EXPECT_FLOAT_EQ(verdict["sizes"][2].get<float>(), 0.04f);
+  const json& word = verdict["words"][0];
+  EXPECT_EQ(word["standing"], "converges");
+  EXPECT_LT(word["sequence"]["ratios"][0]["mean"], word["sequence"]["ratios"][1]["mean"]);
+  EXPECT_LT(word["sequence"]["ratios"][1]["mean"], word["sequence"]["ratios"][2]["mean"]);
+  std::vector<std::string> too_coarse = verify;
+  too_coarse.insert(too_coarse.end(), {"--method", "photon-radius=0.3"});
+  const Outcome refused = run(too_coarse);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("at most 0.25"));
+}
+
+// A third more light than the reference has is no matter of the radius.
+TEST(Verify, FindsThatPhotonsOfTooMuchPowerDoNotConverge) {
+  const TemporaryFolder folder;
+  const auto room = [&](const std::string& name, double emission) {
+    return folder.write(name, fmt::format(R"({{
+      "camera": {{ "position": [0, 1, 4], "look_at": [0, 0.5, 0] }},
+      "materials": [ {{ "name": "grey", "type": "lambert", "albedo": 0.5 }},
+                     {{ "name": "lamp", "type": "lambert", "albedo": 0.5, "emission": {} }} ],
+      "shapes": [ {{ "type": "quad", "material": "grey", "corner": [-3, 0, 3], "edge_u": [6, 0, 0], "edge_v": [0, 0, -6] }},
+                  {{ "type": "quad", "material": "lamp", "corner": [-0.5, 2, -0.5], "edge_u": [1, 0, 0], "edge_v": [0, 0, 1] }} ] }})",
+                                          emission));
+  };
+  const std::string record = (folder / "dim.paths.exr").string();
+  ASSERT_EQ(run({"render", room("dim.json", 9), "--record", record, "--size", "32x32", "--spp", "64"}).exit_code, 0);
+  const Outcome outcome = run({"verify", room("bright.json", 12), "--algorithm", "photon-map", "--spp", "64", "--size",
+                               "32x32", "--reference", record, "--json"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json verdict = json::parse(outcome.out)["verdicts"][0];
+  EXPECT_EQ(verdict["verdict"], "wrong-values");
+  EXPECT_EQ(verdict["words"][0]["word"], "LDE");
+  EXPECT_LT(verdict["words"][0]["sequence"]["p_value"], 1e-4);
+}
+
 TEST(Verify, WritesPictures) {
   const TemporaryFolder folder;
   const std::filesystem::path pictures = folder / "pictures";
@@ -119,66 +161,6 @@ TEST(Why, PlotsWhatAlgorithmsCaptureOverTheirTime) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("The cheapest that claims 99.00 % of the energy: "));
   EXPECT_THAT(read_bytes(plot), HasSubstr(">whitted</text>"));
-}
-
-// ---- the table ------------------------------------------------------------------------------------------------------
-
-/// Not photons and radiosity, which would take minutes here, nor instant radiosity: docs/verify.md says why.
-constexpr const char* kTabled[] = {"path",    "path-hits", "path-next-event", "light",       "bidirectional",
-                                   "whitted", "lecture",   "distribution",    "ray-casting", "local-shading"};
-constexpr const char* kScenes[] = {"cornell",       "cornell-balls", "lecture", "caustic",
-                                   "caustic-point", "door",          "lantern"};
-
-/// One row an algorithm, one column a scene.
-std::string table_of_verdicts() {
-  std::vector<std::string> names;
-  std::map<std::string, std::map<std::string, std::string>> cells;
-  std::string head = "| algorithm |", line = "|---|";
-  for (const std::string scene : kScenes) {
-    std::vector<std::string> command{"verify",          scene, "--size", "48x48", "--spp", "32",
-                                     "--reference-spp", "64",  "--json"};
-    for (const char* name : kTabled) command.insert(command.end(), {"--algorithm", name});
-    const Outcome outcome = run(command);
-    const json document = json::parse(outcome.out, nullptr, false);
-    EXPECT_TRUE(document.is_object()) << scene << ": " << outcome.err;
-    if (!document.is_object()) return {};
-    EXPECT_EQ(outcome.exit_code, 0) << scene << ": some algorithm does not do what its grammar says";
-    head += fmt::format(" {}, {} |", scene, document["verdicts"][0]["light"].get<std::string>());
-    line += "---|";
-    for (const json& verdict : document["verdicts"]) {
-      const std::string name = verdict["algorithm"], word = verdict["shortest"];
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-      const std::string ruling = verdict["verdict"];
-      cells[name][scene] =
-          (verdict["expected"] ? ruling : "**" + ruling + "**") + (word.empty() ? "" : fmt::format(", `{}`", word));
-    }
-  }
-  std::string table = head + "\n" + line + "\n";
-  for (const std::string& name : names) {
-    table += fmt::format("| `{}` |", name);
-    for (const std::string scene : kScenes) table += fmt::format(" {} |", cells[name][scene]);
-    table += "\n";
-  }
-  return table;
-}
-
-/// The text with its first table that begins like this one in place of it.
-std::string with_table(const std::string& text, const std::string& table) {
-  const std::size_t begin = text.find("| algorithm | cornell");
-  if (begin == std::string::npos) throw std::runtime_error("the document has no table of verdicts");
-  const std::size_t end = text.find("\n\n", begin);
-  return text.substr(0, begin) + table + (end == std::string::npos ? "" : text.substr(end + 1));
-}
-
-TEST(VerdictTable, IsWhatTheDocumentsShow) {
-  const std::string table = table_of_verdicts();
-  ASSERT_FALSE(table.empty());
-  for (const std::string name : {"/docs/verify.md", "/README.md"}) {
-    const std::string file = HECKBERT_SOURCE_DIR + name;
-    const std::string text = read_bytes(file), expected = with_table(text, table);
-    if (std::getenv("HECKBERT_UPDATE_DOCS") != nullptr) std::ofstream(file) << expected;
-    EXPECT_EQ(read_bytes(file), expected) << "write it anew: HECKBERT_UPDATE_DOCS=1 cli_test";
-  }
 }
 
 }  // namespace

@@ -227,6 +227,68 @@ TEST(Verdict, SupposesPathsAsBrightAsTheyAreAmongTheTrialsSamples) {
   }
 }
 
+// ---- algorithms that are right only in the limit ------------------------------------------------------------------
+
+/// The ruling on renders whose light is off by these factors, the coarsest first; each is half as coarse as the last.
+AlgorithmVerdict refined(const std::vector<Lights>& stages) {
+  const Evidence witness = evidence_of(kRoom, 1, 4);
+  std::vector<Evidence> evidence;
+  for (const Lights& lights : stages) evidence.push_back(evidence_of(lights, 2));
+  Trial trial{"tested", "", "", &evidence.back(), taxonomy::compile("L.*E")};
+  trial.refinement = {.option = "edge", .order = 1, .size = 1};
+  for (std::size_t i = 0; i + 1 < stages.size(); ++i)
+    trial.refinement->coarser.push_back({std::exp2(stages.size() - 1 - i), &evidence[i]});
+  return verify({trial}, {{"reference", &witness, taxonomy::compile("L.*E")}}, {taxonomy::Symbol::La}).verdicts.at(0);
+}
+
+Lights with(double factor) {
+  Lights lights = kRoom;
+  lights["LDDE"].mean *= factor;
+  return lights;
+}
+
+TEST(Verdict, IsThatValuesComeNearerWhenTheirErrorShrinks) {
+  const AlgorithmVerdict verdict = refined({with(0.6), with(0.8), with(0.9)});
+  EXPECT_EQ(verdict.ruling, Ruling::Converges);
+  EXPECT_TRUE(verdict.is_expected);
+  EXPECT_EQ(verdict.shortest, "LDDE");
+  EXPECT_EQ(verdict.refined_by, "edge");
+  EXPECT_EQ(verdict.sizes, (std::vector<double>{4, 2, 1}));
+  const WordFinding& word = find(verdict, "LDDE");
+  EXPECT_EQ(word.standing, Standing::Converges);
+  EXPECT_NEAR(word.sequence->order->mean, 1, 3 * word.sequence->order->standard_error);
+  EXPECT_EQ(find(verdict, "LDE").standing, Standing::Agrees);
+}
+
+TEST(Verdict, IsThatValuesAreWrongWhenTheirErrorStays) {
+  const AlgorithmVerdict verdict = refined({with(0.9), with(0.9), with(0.9)});
+  EXPECT_EQ(verdict.ruling, Ruling::WrongValues);
+  EXPECT_FALSE(verdict.is_expected) << "what is right in the limit has to come nearer";
+  EXPECT_EQ(refined({with(0.6), with(0.8), with(1)}).ruling, Ruling::Captures);
+}
+
+TEST(Verdict, FollowsBlocksToo) {
+  const auto shifted = [](double by) {
+    Lights lights = kRoom;
+    lights["LDE"].factor = [by](int x, int y) { return y >= 32 ? 1.0 : x < 32 ? 1 - by : 1 + by; };
+    return lights;
+  };
+  EXPECT_EQ(refined({shifted(0.6), shifted(0.3), shifted(0.15)}).ruling, Ruling::Converges);
+  EXPECT_EQ(refined({shifted(0.15), shifted(0.15), shifted(0.15)}).ruling, Ruling::WrongValues);
+}
+
+TEST(Verdict, AsksForMoreWhereAllPixelsShareTheirLight) {
+  const Lights room{{"LE", {1, 0.5}}, {"LSDE", {0.05, 30.0 / (32 * kSide * kSide)}}};  // some thirty contributions
+  for (const bool shares : {false, true}) {
+    const Evidence witness = evidence_of(room, 2, 4), own = evidence_of(room, 3);
+    Trial trial{"tested", "", "", &own, taxonomy::compile("L.*E")};
+    trial.shares_light = shares;
+    const AlgorithmVerdict verdict =
+        verify({trial}, {{"reference", &witness, taxonomy::compile("L.*E")}}, {taxonomy::Symbol::La}).verdicts.at(0);
+    EXPECT_EQ(find(verdict, "LSDE").standing, shares ? Standing::Rare : Standing::Agrees);
+  }
+}
+
 // ---- what verdicts are made of --------------------------------------------------------------------------------------
 
 TEST(Comparison, IsStudentsTest) {

@@ -8,26 +8,56 @@
 #include <heckbert/taxonomy/expression.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/transport/hash.h>
+#include <heckbert/transport/method_options.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::cli {
 
 using taxonomy::Symbol;
 
+namespace {
+
+constexpr int kFewBatches = 8;
+
+}  // namespace
+
+int batches_of(const transport::AlgorithmFacts& algorithm) {
+  return algorithm.patches || algorithm.passes ? kFewBatches : record::kBatches;
+}
+
 std::optional<TrialRun> run_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
                                   const transport::RenderSettings& settings,
                                   std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop) {
   const auto start = std::chrono::steady_clock::now();
   TrialRun run{.algorithm = &algorithm};
-  for (int batch = 0; batch < record::kBatches; ++batch) {
+  const int batches = batches_of(algorithm);
+  for (int batch = 0; batch < batches; ++batch) {
     transport::RenderSettings part = settings;
     part.algorithm = algorithm.id;
-    part.samples_per_pixel = std::max(1, settings.samples_per_pixel / record::kBatches);
+    part.samples_per_pixel = std::max(1, settings.samples_per_pixel / batches);
     part.seed = transport::mix(settings.seed + transport::kWeyl * static_cast<std::uint64_t>(batch + 1));
     run.evidence.add(transport::render(scene, part, {.progress = {}, .stop = &stop}), pictures);
     if (stop) return std::nullopt;
   }
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+std::optional<TrialRun> run_refined_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+                                          const transport::RenderSettings& settings,
+                                          std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop) {
+  const transport::MethodOption* option =
+      algorithm.accuracy == transport::Accuracy::Consistent ? transport::refining_option(algorithm.id) : nullptr;
+  std::optional<TrialRun> run = run_trial(algorithm, scene, settings, pictures, stop);
+  if (!run || option == nullptr) return run;
+  run->size = option->get(settings.method);
+  for (const double factor : kCoarser) {
+    transport::RenderSettings coarse = settings;
+    option->set(coarse.method, factor * run->size);
+    std::optional<TrialRun> coarser = run_trial(algorithm, scene, coarse, {}, stop);
+    if (!coarser) return std::nullopt;
+    run->coarser.push_back({option->get(coarse.method), std::move(coarser->evidence)});
+  }
   return run;
 }
 
@@ -102,13 +132,20 @@ std::vector<report::Witness> witnesses_of(const std::vector<TrialRun>& trusted) 
 
 std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs) {
   std::vector<report::Trial> trials;
-  for (const TrialRun& run : runs)
+  for (const TrialRun& run : runs) {
     trials.push_back({.algorithm = std::string(run.algorithm->name),
                       .title = std::string(run.algorithm->title),
                       .grammar = std::string(run.algorithm->grammar),
                       .evidence = &run.evidence,
                       .claimed = claimed_by(*run.algorithm),
-                      .may_be_wrong = run.algorithm->accuracy != transport::Accuracy::Unbiased});
+                      .may_be_wrong = run.algorithm->accuracy == transport::Accuracy::Biased,
+                      .shares_light = run.algorithm->passes});
+    if (run.coarser.empty()) continue;
+    const transport::MethodOption& option = *transport::refining_option(run.algorithm->id);
+    report::Refinement refinement{.option = std::string(option.name), .order = option.order, .size = run.size};
+    for (const CoarserRun& stage : run.coarser) refinement.coarser.push_back({stage.size, &stage.evidence});
+    trials.back().refinement = std::move(refinement);
+  }
   return trials;
 }
 

@@ -20,18 +20,40 @@ namespace heckbert::cli {
 /// is the longer one; the other follows the scene's own picture.
 inline constexpr int kTrialSide = 128, kTrialSamples = 64, kReferenceFactor = 4;
 
+/// How many times as coarse the renders are through which an error is followed to the ones on trial, coarsest first.
+inline constexpr double kCoarser[] = {4, 2};
+
+/// The same algorithm with a coarser setting.
+struct CoarserRun {
+  double size = 0;  ///< of the option that makes it finer
+  report::Evidence evidence{};
+};
+
 /// An algorithm and what it rendered.
 struct TrialRun {
   const transport::AlgorithmFacts* algorithm = nullptr;
   report::Evidence evidence{};
   double seconds = 0;
+  double size = 0;                    ///< of the option that makes it finer; 0: nothing does
+  std::vector<CoarserRun> coarser{};  ///< as kCoarser
 };
 
-/// Renders record::kBatches times with an equal part of settings.samples_per_pixel each, at least one, and seeds that
+/// Independent renders, so many of each algorithm: record::kBatches, and fewer where each has to solve the whole scene
+/// again, or where all pixels of a sample share photons or virtual lights: means of single samples are far from normal
+/// there, and later samples may be finer than the first.
+int batches_of(const transport::AlgorithmFacts& algorithm);
+
+/// Renders batches_of() times with an equal part of settings.samples_per_pixel each, at least one, and seeds that
 /// all follow from settings.seed. Keeps pictures of the languages. Nothing when it was stopped. Errors: as render().
 std::optional<TrialRun> run_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
                                   const transport::RenderSettings& settings,
                                   std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop);
+
+/// run_trial() with the settings, and where the algorithm is right only in the limit with coarser ones too. Nothing
+/// when it was stopped. Errors: as render().
+std::optional<TrialRun> run_refined_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+                                          const transport::RenderSettings& settings,
+                                          std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop);
 
 /// The settings of everything that trials with these settings are compared with: other samples, and `samples` of them
 /// per pixel.

@@ -32,10 +32,10 @@ transport::RenderSettings settings_to_try(const Settings& settings, const transp
   return render;
 }
 
-bool try_out(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+bool try_out(Runner& run_it, const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
              const transport::RenderSettings& settings, std::span<const taxonomy::Language> pictures,
              const std::atomic<bool>& stop, const Console& console, std::vector<TrialRun>& runs) {
-  std::optional<TrialRun> run = run_trial(algorithm, scene, settings, pictures, stop);
+  std::optional<TrialRun> run = run_it(algorithm, scene, settings, pictures, stop);
   if (!run) return false;
   console.note(fmt::format("{}: {} samples per pixel in {:.2f} s", algorithm.name, run->evidence.samples_per_pixel(),
                            run->seconds));

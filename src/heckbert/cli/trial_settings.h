@@ -21,8 +21,11 @@ void add_scene_to_try(CLI::App& command, std::string& name);
 /// Of flags, of the scene where it says how deep, and of kTrialSide and kTrialSamples.
 transport::RenderSettings settings_to_try(const Settings& settings, const transport::RenderDefaults& scene);
 
-/// run_trial(), told on the console and put behind `runs`. False when it was stopped.
-bool try_out(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
+/// How an algorithm is run: run_trial() or run_refined_trial().
+using Runner = decltype(run_trial);
+
+/// Runs it, tells so on the console and puts it behind `runs`. False when it was stopped.
+bool try_out(Runner& run_it, const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
              const transport::RenderSettings& settings, std::span<const taxonomy::Language> pictures,
              const std::atomic<bool>& stop, const Console& console, std::vector<TrialRun>& runs);
 

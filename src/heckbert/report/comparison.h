@@ -13,6 +13,9 @@
 namespace heckbert::report {
 
 inline constexpr double kEnough = 16;
+/// The same where all pixels share photons or virtual lights: what one of them brings ranges over decades with how near
+/// it lies to what is seen, so that sixteen of them are still far from normal.
+inline constexpr double kEnoughShared = 64;
 
 /// Relative difference below which two energies are not told apart: by some 1e-4 even agreeing batches can be wrong,
 /// where an edge cuts a stratum of the samples or a ray clears a surface.

@@ -27,11 +27,25 @@ struct Group {
   bool is_claimed = false;
   Series expected, found;
   std::map<std::size_t, Series> expected_blocks, found_blocks;
+  /// As found and found_blocks, by coarser stage of the trial.
+  std::vector<Series> coarser{};
+  std::vector<std::map<std::size_t, Series>> coarser_blocks{};
   BrightPixel brightest{}, brightest_expected{};
 };
 
 void add(std::map<std::size_t, Series>& sum, const std::map<std::size_t, Series>& more) {
   for (const auto& [block, series] : more) sum[block] += series;
+}
+
+/// Of the trial; none where it is not refined.
+const std::vector<CoarserStage>& coarser_stages(const Trial& trial) {
+  static const std::vector<CoarserStage> none;
+  return trial.refinement ? trial.refinement->coarser : none;
+}
+
+/// For a comparison.
+double enough(const Trial& trial) {
+  return trial.shares_light ? kEnoughShared : kEnough;
 }
 
 void keep_brighter(BrightPixel& brightest, const BrightPixel& other) {
@@ -47,11 +61,17 @@ std::size_t witness_of(const taxonomy::Word& word, const std::vector<Witness>& w
 
 std::vector<Group> groups_of(const Trial& trial, const std::vector<Witness>& witnesses, taxonomy::Symbol light,
                              Spelling spelling) {
+  const std::vector<CoarserStage>& stages = coarser_stages(trial);
   std::map<std::tuple<std::string, bool, std::size_t>, Group> groups;
+  const auto name_of = [&](const taxonomy::Word& word) {
+    return spelling == Spelling::Plain ? plain(word) : fine(word);
+  };
   const auto group_of = [&](const taxonomy::Word& word, bool is_claimed, std::size_t witness) -> Group& {
-    const std::string name = spelling == Spelling::Plain ? plain(word) : fine(word);
+    const std::string name = name_of(word);
     Group& group = groups[{name, is_claimed, witness}];
     group.word = name;
+    group.coarser.resize(stages.size());
+    group.coarser_blocks.resize(stages.size());
     group.length = word.length();
     group.witness = witness;
     group.is_claimed = is_claimed;
@@ -71,6 +91,14 @@ std::vector<Group> groups_of(const Trial& trial, const std::vector<Witness>& wit
       group.expected += evidence.picture;
       add(group.expected_blocks, evidence.blocks);
       keep_brighter(group.brightest_expected, evidence.brightest);
+    }
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    for (const auto& [word, evidence] : stages[i].evidence->words()) {
+      if (word.light != light) continue;
+      const auto group = groups.find({name_of(word), trial.claimed.contains(word), witness_of(word, witnesses)});
+      if (group == groups.end()) continue;
+      group->second.coarser[i] += evidence.picture;
+      add(group->second.coarser_blocks[i], evidence.blocks);
     }
   std::vector<Group> list;
   for (auto& [key, group] : groups) list.push_back(std::move(group));
@@ -109,6 +137,8 @@ class Judge {
           sum.length = std::max(sum.length, group.length);
           sum.expected += group.expected;
           sum.found += group.found;
+          sum.coarser.resize(group.coarser.size());
+          for (std::size_t i = 0; i < group.coarser.size(); ++i) sum.coarser[i] += group.coarser[i];
         }
       }
       std::vector<BlockFinding> blocks;
@@ -118,7 +148,9 @@ class Judge {
         blocks = blocks_of_group(trial, group);
       }
       finding.blocks_compared = blocks.size();
-      comparisons_ += blocks.size() + (finding.standing == Standing::Agrees || finding.standing == Standing::Missing);
+      const std::size_t compared =
+          blocks.size() + (finding.standing == Standing::Agrees || finding.standing == Standing::Missing);
+      comparisons_ += trial.refinement ? 2 * compared : compared;
       result.words.push_back(std::move(finding));
       result.witnesses.push_back(evidence_of_witness(group));
       result.expected.push_back(group.expected);
@@ -131,7 +163,7 @@ class Judge {
       finding.word = fmt::format("{} rare words", finding.pooled);
       result.all_expected += group.expected;
       result.all_found += group.found;
-      ++comparisons_;
+      comparisons_ += trial.refinement ? 2 : 1;
       result.words.push_back(std::move(finding));
       result.witnesses.push_back(evidence_of_witness(group));
       result.expected.push_back(group.expected);
@@ -151,18 +183,29 @@ class Judge {
           !is_surely_missing(*c.trial->evidence, known(*c.trial->evidence), *c.witnesses[i], c.expected[i], level))
         word.standing = Standing::Rare;
       if (word.standing != Standing::Agrees) continue;
+      const auto stays = [&](const std::optional<Sequence>& sequence) {
+        return !sequence || sequence->p_value < level;
+      };
+      const bool differs = word.comparison.p_value < level;
+      bool stays_wrong = differs && stays(word.sequence);
       for (BlockFinding& block : c.blocks[i]) {
         if (block.comparison.p_value >= level) continue;
         ++word.blocks_that_differ;
+        stays_wrong |= stays(block.sequence);
         if (!word.worst_block || block.comparison.p_value < word.worst_block->comparison.p_value)
           word.worst_block = block;
       }
-      if (word.comparison.p_value < level || word.blocks_that_differ > 0) word.standing = Standing::Differs;
+      if (differs || word.blocks_that_differ > 0) word.standing = stays_wrong ? Standing::Differs : Standing::Converges;
     }
     AlgorithmVerdict verdict{
         .algorithm = c.trial->algorithm, .title = c.trial->title, .grammar = c.trial->grammar, .light = c.light};
+    if (c.trial->refinement) {
+      verdict.refined_by = c.trial->refinement->option;
+      verdict.sizes = sizes_of(*c.trial->refinement);
+    }
     verdict.samples_needed = samples_for_nearly_all(c.words);
-    if (const Comparison all = comparison_of(*c.trial, witnesses_.front().evidence, c.all_expected, c.all_found);
+    if (const Comparison all =
+            comparison_of(*c.trial->evidence, witnesses_.front().evidence, c.all_expected, c.all_found);
         all.expected.mean > 0)
       verdict.ratio = report::ratio(all, quantile(*c.trial));
     verdict.ruling = ruling_of(c.words, verdict.samples_needed);
@@ -209,14 +252,34 @@ class Judge {
 
   double quantile(const Trial& trial) const { return known(*trial.evidence).statistics.quantile(); }
 
-  Comparison comparison_of(const Trial& trial, const Evidence* witness, const Series& expected,
+  Comparison comparison_of(const Evidence& trial, const Evidence* witness, const Series& expected,
                            const Series& found) const {
-    const double size_found = found.count == 0 ? known(*trial.evidence).mean_contribution : 0;
-    const record::Estimate of_found = known(*trial.evidence).statistics.energy(found.values, size_found);
+    const double size_found = found.count == 0 ? known(trial).mean_contribution : 0;
+    const record::Estimate of_found = known(trial).statistics.energy(found.values, size_found);
     if (witness == nullptr) return {{}, of_found};
     const double size_expected = expected.count == 0 ? known(*witness).mean_contribution : 0;
     return compare(known(*witness).statistics.energy(expected.values, size_expected), witness->batches(), of_found,
-                   trial.evidence->batches());
+                   trial.batches());
+  }
+
+  static std::vector<double> sizes_of(const Refinement& refinement) {
+    std::vector<double> sizes;
+    for (const CoarserStage& stage : refinement.coarser) sizes.push_back(stage.size);
+    sizes.push_back(refinement.size);
+    return sizes;
+  }
+
+  /// Of something that can be compared; `found` says what the coarser stages have of it. Nothing where the trial is
+  /// not refined.
+  std::optional<Sequence> sequence(const Trial& trial, const Evidence& witness, const Series& expected,
+                                   const std::vector<const Series*>& found, const Comparison& last) const {
+    if (!trial.refinement) return std::nullopt;
+    std::vector<Comparison> comparisons;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      comparisons.push_back(comparison_of(*trial.refinement->coarser[i].evidence, &witness, expected, *found[i]));
+    comparisons.push_back(last);
+    return sequence_of(comparisons, sizes_of(*trial.refinement), trial.refinement->order, trial.evidence->batches(),
+                       quantile(trial));
   }
 
   /// Agrees stands for "can be compared" until the number of comparisons is known.
@@ -224,7 +287,7 @@ class Judge {
     const Evidence* witness = evidence_of_witness(group);
     WordFinding finding{.word = group.word,
                         .length = group.length,
-                        .comparison = comparison_of(trial, witness, group.expected, group.found),
+                        .comparison = comparison_of(*trial.evidence, witness, group.expected, group.found),
                         .expected_count = group.expected.count,
                         .found_count = group.found.count};
     if (witness != nullptr) finding.witness = witnesses_[group.witness].algorithm;
@@ -244,22 +307,33 @@ class Judge {
       if (!group.is_claimed) return Standing::Unclaimed;
       if (witness == nullptr || enough_expected < kEnough) return Standing::Untold;
       if (group.found.count == 0) return Standing::Missing;
-      return enough_found < kEnough ? Standing::Rare : Standing::Agrees;
+      return enough_found < enough(trial) ? Standing::Rare : Standing::Agrees;
     }();
+    if (finding.standing == Standing::Agrees) {
+      std::vector<const Series*> coarser;
+      for (const Series& series : group.coarser) coarser.push_back(&series);
+      finding.sequence = sequence(trial, *witness, group.expected, coarser, finding.comparison);
+    }
     return finding;
   }
 
   std::vector<BlockFinding> blocks_of_group(const Trial& trial, const Group& group) const {
     const Evidence& witness = *witnesses_[group.witness].evidence;
+    static const Series none;
     std::vector<BlockFinding> list;
     if (!witness.has_blocks() || !trial.evidence->has_blocks()) return list;
     const std::vector<record::Window> windows = blocks_of(witness.window());
     for (const auto& [block, expected] : group.expected_blocks) {
       const auto found = group.found_blocks.find(block);
       if (found == group.found_blocks.end()) continue;
-      const Comparison comparison = comparison_of(trial, &witness, expected, found->second);
-      if (effective_count(comparison.expected) >= kEnough && effective_count(comparison.found) >= kEnough)
-        list.push_back({windows[block], comparison});
+      const Comparison comparison = comparison_of(*trial.evidence, &witness, expected, found->second);
+      if (effective_count(comparison.expected) < kEnough || effective_count(comparison.found) < enough(trial)) continue;
+      std::vector<const Series*> coarser;
+      for (const auto& blocks : group.coarser_blocks) {
+        const auto place = blocks.find(block);
+        coarser.push_back(place == blocks.end() ? &none : &place->second);
+      }
+      list.push_back({windows[block], comparison, sequence(trial, witness, expected, coarser, comparison)});
     }
     return list;
   }
@@ -302,6 +376,7 @@ class Judge {
     if (any(Standing::Unclaimed)) return Ruling::Oversteps;
     if (any(Standing::Missing)) return Ruling::Misses;
     if (any(Standing::Differs)) return Ruling::WrongValues;
+    if (any(Standing::Converges)) return Ruling::Converges;
     if (words.empty()) return Ruling::Nothing;
     if (!any(Standing::Agrees) && !any(Standing::Rare)) return Ruling::Untold;
     return !samples_needed || *samples_needed > options_.budget ? Ruling::NeedsSamples : Ruling::Captures;
@@ -316,6 +391,8 @@ class Judge {
           return word.standing == Standing::Missing;
         case Ruling::WrongValues:
           return word.standing == Standing::Differs;
+        case Ruling::Converges:
+          return word.standing == Standing::Converges;
         default:
           return false;
       }

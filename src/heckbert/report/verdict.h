@@ -6,7 +6,8 @@
 // in every block of pixels; the significance is that of a whole verification, all its comparisons together. Words that
 // are too rare to be compared alone are compared together. A word that is found and not claimed needs no statistics:
 // one path is a proof. A word that is claimed and not found is missing once as many paths as the witness has of it
-// should not have left it out.
+// should not have left it out. Where an algorithm is right only in the limit, what differs is followed through coarser
+// renders: convergence.h.
 
 #include <array>
 #include <cstddef>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include <heckbert/report/comparison.h>
+#include <heckbert/report/convergence.h>
 #include <heckbert/report/coverage.h>
 #include <heckbert/report/evidence.h>
 #include <heckbert/taxonomy/language.h>
@@ -24,7 +26,7 @@
 namespace heckbert::report {
 
 /// How one word stands.
-enum class Standing : std::uint8_t { Differs, Missing, Unclaimed, Rare, Untold, Agrees };
+enum class Standing : std::uint8_t { Differs, Missing, Unclaimed, Converges, Rare, Untold, Agrees };
 
 struct StandingFacts {
   Standing standing;
@@ -32,17 +34,18 @@ struct StandingFacts {
   std::string_view meaning;  ///< for people, after the word
 };
 
-inline constexpr std::array<StandingFacts, 6> kStandings{{
+inline constexpr std::array<StandingFacts, 7> kStandings{{
     {Standing::Differs, "differs", "has another value"},
     {Standing::Missing, "missing", "is claimed and not found"},
     {Standing::Unclaimed, "unclaimed", "is found and not claimed"},
+    {Standing::Converges, "converges", "has another value, and comes nearer"},
     {Standing::Rare, "rare", "is found too rarely to be compared"},
     {Standing::Untold, "untold", "has nothing sure to be compared with"},
     {Standing::Agrees, "agrees", "agrees"},
 }};
 
 /// What all of them come to; the first that holds.
-enum class Ruling : std::uint8_t { Oversteps, Misses, WrongValues, NeedsSamples, Untold, Nothing, Captures };
+enum class Ruling : std::uint8_t { Oversteps, Misses, WrongValues, Converges, NeedsSamples, Untold, Nothing, Captures };
 
 struct RulingFacts {
   Ruling ruling;
@@ -51,10 +54,11 @@ struct RulingFacts {
   bool is_as_claimed;         ///< the grammar's prediction came true
 };
 
-inline constexpr std::array<RulingFacts, 7> kRulings{{
+inline constexpr std::array<RulingFacts, 8> kRulings{{
     {Ruling::Oversteps, "oversteps", "finds words it does not claim", false},
     {Ruling::Misses, "misses", "misses words it claims", false},
     {Ruling::WrongValues, "wrong-values", "right words, wrong values", false},
+    {Ruling::Converges, "converges", "right words, and values come nearer", true},
     {Ruling::NeedsSamples, "needs-samples", "captured, but needs about N samples", true},
     {Ruling::Untold, "untold", "nothing to compare with", true},
     {Ruling::Nothing, "nothing", "finds nothing, as it claims", true},
@@ -80,12 +84,15 @@ struct Trial {
   std::string algorithm, title, grammar;
   const Evidence* evidence = nullptr;
   taxonomy::Language claimed;
-  bool may_be_wrong = false;  ///< its values, by what is known of it: photons, patches, missing shadows
+  bool may_be_wrong = false;               ///< its values, whatever its settings: missing shadows, clamped light
+  bool shares_light = false;               ///< its pixels share photons or virtual lights
+  std::optional<Refinement> refinement{};  ///< of an algorithm that is right only in the limit
 };
 
 struct BlockFinding {
   record::Window pixels;
   Comparison comparison;
+  std::optional<Sequence> sequence{};  ///< where the trial has a refinement
 };
 
 /// Of the words that print alike, or, with `pooled` above 1, of the rare ones together.
@@ -98,6 +105,7 @@ struct WordFinding {
   Comparison comparison;  ///< picture-mean luminance
   std::uint64_t expected_count = 0, found_count = 0;
   std::optional<record::Estimate> ratio{};  ///< found / expected
+  std::optional<Sequence> sequence{};       ///< where the trial has a refinement, and the word is compared
   std::size_t blocks_compared = 0, blocks_that_differ = 0;
   std::optional<BlockFinding> worst_block{};  ///< of those that differ
   std::optional<BrightPixel> brightest{};     ///< of the algorithm's own, or where it has none of the witness's
@@ -107,6 +115,8 @@ struct WordFinding {
 struct AlgorithmVerdict {
   std::string algorithm, title, grammar;
   taxonomy::Symbol light = taxonomy::Symbol::La;
+  std::string refined_by{};     ///< the option that makes it finer; empty: none
+  std::vector<double> sizes{};  ///< of that option, as in every Sequence
   Ruling ruling = Ruling::Captures;
   bool is_expected = true;           ///< the prediction came true, or fails as is known of the algorithm
   std::vector<WordFinding> words{};  ///< as kStandings orders their standings; within one, by energy, most first

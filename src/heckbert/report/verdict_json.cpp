@@ -18,6 +18,13 @@ void add(Json& json, const Comparison& comparison) {
   json["p_value"] = comparison.p_value;
 }
 
+Json json_of(const Sequence& sequence) {
+  Json json = {{"ratios", Json::array()}, {"p_value", sequence.p_value}};
+  for (const record::Estimate& ratio : sequence.ratios) json["ratios"].push_back(to_json(ratio));
+  if (sequence.order) json["order"] = to_json(*sequence.order);
+  return json;
+}
+
 Json json_of(const WordFinding& word) {
   Json json = {{"word", word.word},
                {"pooled", word.pooled},
@@ -28,11 +35,13 @@ Json json_of(const WordFinding& word) {
                {"found_count", word.found_count}};
   add(json, word.comparison);
   if (word.ratio) json["ratio"] = to_json(*word.ratio);
+  if (word.sequence) json["sequence"] = json_of(*word.sequence);
   json["blocks_compared"] = word.blocks_compared;
   json["blocks_that_differ"] = word.blocks_that_differ;
   if (word.worst_block) {
     json["worst_block"] = {{"pixels", json_of(word.worst_block->pixels)}};
     add(json["worst_block"], word.worst_block->comparison);
+    if (word.worst_block->sequence) json["worst_block"]["sequence"] = json_of(*word.worst_block->sequence);
   }
   if (word.brightest)
     json["brightest"] = {{"x", word.brightest->x}, {"y", word.brightest->y}, {"luminance", word.brightest->luminance}};
@@ -49,6 +58,10 @@ Json json_of(const AlgorithmVerdict& verdict) {
                {"expected", verdict.is_expected},
                {"shortest", verdict.shortest}};
   if (verdict.ratio) json["ratio"] = to_json(*verdict.ratio);
+  if (!verdict.refined_by.empty()) {
+    json["refined_by"] = verdict.refined_by;
+    json["sizes"] = verdict.sizes;
+  }
   if (verdict.samples_needed) json["samples_needed"] = *verdict.samples_needed;
   json["words"] = Json::array();
   for (const WordFinding& word : verdict.words) json["words"].push_back(json_of(word));

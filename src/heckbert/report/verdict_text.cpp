@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <heckbert/report/numbers.h>
 #include <heckbert/taxonomy/symbol_set.h>
@@ -41,12 +42,38 @@ std::string note(const WordFinding& word) {
     case Standing::Unclaimed:
       return text + fmt::format(": {} from {}, {}", number(word.comparison.found.mean),
                                 counted(word.found_count, "path"), place(*word.brightest));
+    case Standing::Converges:
     case Standing::Rare:
     case Standing::Untold:
     case Standing::Agrees:
       return text;
   }
   return text;
+}
+
+/// How the heaviest words come nearer as the algorithm is made finer.
+std::vector<std::string> sequences(const AlgorithmVerdict& verdict, std::size_t most) {
+  std::vector<const WordFinding*> words;
+  for (const WordFinding& word : verdict.words)
+    if (word.sequence) words.push_back(&word);
+  if (words.empty()) return {};
+  std::stable_sort(words.begin(), words.end(), [](const WordFinding* a, const WordFinding* b) {
+    return a->comparison.expected.mean > b->comparison.expected.mean;
+  });
+  words.resize(std::min(words.size(), most));
+  std::vector<std::string> lines{
+      fmt::format("found/expected as {} goes {:g}", verdict.refined_by, fmt::join(verdict.sizes, ", "))};
+  for (const WordFinding* word : words) {
+    std::vector<std::string> ratios;
+    for (const record::Estimate& ratio : word->sequence->ratios) ratios.push_back(fmt::format("{:.4f}", ratio.mean));
+    std::string line = fmt::format("  {}: {}, +- {:.4f}", word->word, fmt::join(ratios, ", "),
+                                   word->sequence->ratios.back().upper - word->sequence->ratios.back().mean);
+    if (word->sequence->order)
+      line += fmt::format("; of order {:.2f} [{:.2f}, {:.2f}]", word->sequence->order->mean,
+                          word->sequence->order->lower, word->sequence->order->upper);
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 /// Where it differs most, on a line of its own.
@@ -79,11 +106,14 @@ std::vector<std::string> costly(const AlgorithmVerdict& verdict, const VerdictOp
 
 /// What the verdict rests on; agreement needs no words.
 std::vector<std::string> notes(const AlgorithmVerdict& verdict, const VerdictOptions& options, std::size_t most) {
-  if (verdict.ruling == Ruling::NeedsSamples) return costly(verdict, options, most);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = sequences(verdict, most);
+  if (verdict.ruling == Ruling::NeedsSamples) {
+    for (std::string& line : costly(verdict, options, most)) lines.push_back(std::move(line));
+    return lines;
+  }
   for (const StandingFacts& standing : kStandings) {
-    if (standing.standing == Standing::Agrees || standing.standing == Standing::Untold ||
-        standing.standing == Standing::Rare)
+    if (standing.standing == Standing::Agrees || standing.standing == Standing::Converges ||
+        standing.standing == Standing::Untold || standing.standing == Standing::Rare)
       continue;
     std::size_t count = 0;
     for (const WordFinding& word : verdict.words) {
@@ -92,6 +122,9 @@ std::vector<std::string> notes(const AlgorithmVerdict& verdict, const VerdictOpt
       lines.push_back(note(word));
       if (word.worst_block) lines.push_back(where(word));
     }
+    if (count > 0 && standing.standing == Standing::Differs && !verdict.refined_by.empty())
+      lines.push_back(fmt::format("these errors do not shrink as they should; a finer {} may show that they do",
+                                  verdict.refined_by));
     if (count > most) lines.push_back(fmt::format("... and {} more", counted(count - most, "word")));
   }
   return lines;
@@ -121,7 +154,8 @@ std::string verification_text(const Verification& verification, const TextStyle&
            style.width);
   std::vector<TextRow> rows;
   for (const AlgorithmVerdict& verdict : verification.verdicts) {
-    const std::size_t compared = count_of(verdict, Standing::Agrees) + count_of(verdict, Standing::Differs);
+    const std::size_t compared = count_of(verdict, Standing::Agrees) + count_of(verdict, Standing::Differs) +
+                                 count_of(verdict, Standing::Converges);
     rows.push_back(
         {.cells = {verdict.algorithm, taxonomy::name(verdict.light), sentence(verdict), std::to_string(compared),
                    verdict.ratio ? fmt::format("{:.4f}", verdict.ratio->mean) : "-"},

@@ -10,6 +10,12 @@ bool reads(AlgorithmId algorithm, const MethodOption& option) {
   return std::ranges::find(option.algorithms, algorithm) != option.algorithms.end();
 }
 
+const MethodOption* refining_option(AlgorithmId algorithm) {
+  const auto found = std::ranges::find_if(
+      kMethodOptions, [&](const MethodOption& option) { return option.order > 0 && reads(algorithm, option); });
+  return found == kMethodOptions.end() ? nullptr : &*found;
+}
+
 std::string write(const Method& method) {
   std::string text;
   for (const MethodOption& option : kMethodOptions)

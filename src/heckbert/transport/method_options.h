@@ -19,6 +19,8 @@ struct MethodOption {
   bool is_whole = true;
   double (*get)(const Method&);
   void (*set)(Method&, double);
+  /// As which power of it, or faster, the error of a consistent algorithm falls; 0: it is no measure of fineness.
+  double order = 0;
 };
 
 inline constexpr std::array<AlgorithmId, 2> kOverPatches{AlgorithmId::Radiosity, AlgorithmId::RadiosityMirrors};
@@ -28,7 +30,7 @@ inline constexpr std::array<AlgorithmId, 3> kWithPhotons{AlgorithmId::PhotonMap,
 inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"patch-edge", "longest edge of a patch, over the diagonal of the scene", kOverPatches, 1e-4, 1, false,
      [](const Method& m) { return static_cast<double>(m.radiosity.longest_edge); },
-     [](Method& m, double value) { m.radiosity.longest_edge = static_cast<float>(value); }},
+     [](Method& m, double value) { m.radiosity.longest_edge = static_cast<float>(value); }, 1},
     {"refinements", "how often patches may be split where light bends", kOverPatches, 0, 8, true,
      [](const Method& m) { return static_cast<double>(m.radiosity.refinements); },
      [](Method& m, double value) { m.radiosity.refinements = static_cast<int>(value); }},
@@ -43,11 +45,14 @@ inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
      [](Method& m, double value) { m.radiosity.flat = value != 0; }},
     {"photon-radius", "within which photons are near, over the radius of the scene; sppm, vcm: at first", kWithPhotons,
      1e-6, 1, false, [](const Method& m) { return static_cast<double>(m.photon_radius); },
-     [](Method& m, double value) { m.photon_radius = static_cast<float>(value); }},
+     [](Method& m, double value) { m.photon_radius = static_cast<float>(value); }, 1},
 });
 
 /// Does the algorithm read it?
 bool reads(AlgorithmId algorithm, const MethodOption& option);
+
+/// What makes a consistent algorithm finer; null where nothing does.
+const MethodOption* refining_option(AlgorithmId algorithm);
 
 /// "patch-edge=0.05,flat=1": the options that are not the default, in the order of the table.
 std::string write(const Method& method);

@@ -27,6 +27,7 @@
 #include <heckbert/report/verdict_text.h>
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/taxonomy/symbol_set.h>
+#include <heckbert/transport/method_options.h>
 #include <heckbert/transport/scene_hash.h>
 
 namespace heckbert::cli {
@@ -90,6 +91,21 @@ std::vector<const transport::AlgorithmFacts*> algorithms_of(const VerifyOptions&
     for (const transport::AlgorithmFacts& algorithm : transport::kAlgorithms)
       if (algorithm.accuracy != transport::Accuracy::NotLight && takes(algorithm, scene)) chosen.push_back(&algorithm);
   return chosen;
+}
+
+/// Errors: UsageError where an algorithm cannot be made as much coarser as its errors are followed.
+void check_refinable(const std::vector<const transport::AlgorithmFacts*>& algorithms, const transport::Method& method) {
+  for (const transport::AlgorithmFacts* algorithm : algorithms) {
+    if (algorithm->accuracy != transport::Accuracy::Consistent) continue;
+    const transport::MethodOption& option = *transport::refining_option(algorithm->id);
+    const double finest = option.get(method),
+                 most = option.most / *std::max_element(std::begin(kCoarser), std::end(kCoarser));
+    if (finest > most)
+      throw UsageError(
+          fmt::format("--method {}: {:g} is too coarse to verify {}, which is run with up to {:g} times as "
+                      "much too; at most {:g}",
+                      option.name, finest, algorithm->name, option.most / most, most));
+  }
 }
 
 /// From a file. Errors: ReadError for a record that is of another picture, lacks some of it or says nothing of its
@@ -165,15 +181,17 @@ ExitCode run(const VerifyOptions& options) {
   const transport::Scene& scene = imported.scene;
   const std::vector<const transport::AlgorithmFacts*> algorithms = algorithms_of(options, scene);
   const transport::RenderSettings of_trials = settings_to_try(settings, scene.defaults);
+  check_refinable(algorithms, of_trials.method);
   const std::vector<taxonomy::Symbol> lights = kinds_of_lights(scene);
   const taxonomy::Symbol eye = kind_of_eye(scene);
   if (lights.empty()) throw UsageError(fmt::format("{} has no light, so there is nothing to verify", options.scene));
   const bool wants_pictures = !options.folder.empty();
 
   const InterruptGuard interrupt;
-  const auto run_one = [&](const transport::AlgorithmFacts& algorithm, const transport::RenderSettings& render,
-                           std::span<const taxonomy::Language> pictures, std::vector<TrialRun>& runs) {
-    return try_out(algorithm, scene, render, pictures, interrupt.stop(), console, runs);
+  const auto run_one = [&](Runner& run_it, const transport::AlgorithmFacts& algorithm,
+                           const transport::RenderSettings& render, std::span<const taxonomy::Language> pictures,
+                           std::vector<TrialRun>& runs) {
+    return try_out(run_it, algorithm, scene, render, pictures, interrupt.stop(), console, runs);
   };
   // What each algorithm is predicted to find, as far as a reference vouches for it, and last all that it vouches for.
   const auto predictions = [&](const taxonomy::Language& vouched) {
@@ -194,11 +212,11 @@ ExitCode run(const VerifyOptions& options) {
     const auto believed = trusted_algorithms(scene);
     const std::vector<taxonomy::Language> shares = shares_of(believed, lights, eye);
     for (std::size_t i = 0; i < believed.size(); ++i)
-      if (!run_one(*believed[i], reference, predictions(shares[i]), trusted)) return ExitCode::Interrupted;
+      if (!run_one(run_trial, *believed[i], reference, predictions(shares[i]), trusted)) return ExitCode::Interrupted;
   }
   const std::vector<taxonomy::Language> everything(wants_pictures ? 1 : 0, words_between(lights, eye));
   for (const transport::AlgorithmFacts* algorithm : algorithms)
-    if (!run_one(*algorithm, of_trials, everything, runs)) return ExitCode::Interrupted;
+    if (!run_one(run_refined_trial, *algorithm, of_trials, everything, runs)) return ExitCode::Interrupted;
 
   const std::vector<report::Witness> witnesses = witnesses_of(trusted);
   const std::vector<report::Trial> trials = trials_of(runs);

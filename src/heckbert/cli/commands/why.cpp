@@ -144,7 +144,7 @@ ExitCode run(const WhyOptions& options) {
   const InterruptGuard interrupt;
   const auto run_one = [&](const AlgorithmFacts& algorithm, const transport::RenderSettings& with,
                            std::span<const taxonomy::Language> pictures, std::vector<TrialRun>& runs) {
-    return try_out(algorithm, scene, with, pictures, interrupt.stop(), console, runs);
+    return try_out(run_trial, algorithm, scene, with, pictures, interrupt.stop(), console, runs);
   };
   std::vector<TrialRun> known, runs;
   for (const AlgorithmFacts* algorithm : all_who_know(scene))
