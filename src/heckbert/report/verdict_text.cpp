@@ -122,10 +122,10 @@ std::vector<std::string> notes(const AlgorithmVerdict& verdict, const VerdictOpt
       lines.push_back(note(word));
       if (word.worst_block) lines.push_back(where(word));
     }
+    if (count > most) lines.push_back(fmt::format("... and {} more", counted(count - most, "word")));
     if (count > 0 && standing.standing == Standing::Differs && !verdict.refined_by.empty())
       lines.push_back(fmt::format("these errors do not shrink as they should; a finer {} may show that they do",
                                   verdict.refined_by));
-    if (count > most) lines.push_back(fmt::format("... and {} more", counted(count - most, "word")));
   }
   return lines;
 }
