@@ -161,7 +161,8 @@ TEST(JsonPage, NamesEveryKeyOfEveryDocument) {
       {"scene", "list", "--json"},
       {"scene", "check", room, "--json"},
       {"render", room, "--record", part, "--part", "2/4", "--size", "16x16", "--spp", "4", "--json"},
-      {"verify", "caustic-point", "--algorithm", "local-shading", "--size", "64x64", "--spp", "32", "--json"},
+      {"verify", "caustic-point", "--algorithm", "local-shading", "--algorithm", "photon-map", "--method",
+       "photon-radius=0.08", "--size", "64x64", "--spp", "32", "--json"},
       {"why", "caustic", "--algorithm", "path", "--size", "16x16", "--spp", "32", "--cheapest", "--json"},
       {"merge", part, "-o", record, "--json"},
       {"record", "import", stream, "-o", record, "--json"}};

@@ -157,7 +157,8 @@ TEST(Why, OfAPixelIsAboutThatPixel) {
 TEST(Why, PlotsWhatAlgorithmsCaptureOverTheirTime) {
   const TemporaryFolder folder;
   const std::string plot = (folder / "plot.svg").string();
-  const Outcome outcome = run({"why", "lecture", "--size", "16x16", "--spp", "32", "--plot", plot});
+  const Outcome outcome =
+      run({"why", "lecture", "--size", "16x16", "--spp", "32", "--method", "patch-edge=0.25", "--plot", plot});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("The cheapest that claims 99.00 % of the energy: "));
   EXPECT_THAT(read_bytes(plot), HasSubstr(">whitted</text>"));
