@@ -29,14 +29,16 @@ std::vector<float> mean_emissions(const Scene& scene) {
   return means;
 }
 
-LightSample from_point(const std::optional<DeltaSample>& delta, glm::vec3 position, float probability) {
+LightSample from_point(LightSource source, const std::optional<DeltaSample>& delta, glm::vec3 position,
+                       float probability) {
   if (!delta) return {};
   return {.kind = Symbol::Lp,
           .direction = delta->direction,
           .target = position,
           .radiance = delta->irradiance,
           .pdf_solid_angle = probability,
-          .is_delta = true};
+          .is_delta = true,
+          .source = source};
 }
 
 }  // namespace
@@ -148,15 +150,12 @@ Lights::Choice Lights::choose(glm::vec3 from, double u) const {
 LightSample Lights::sample(glm::vec3 from, Sampler& sampler) const {
   if (empty()) return {};
   const Choice choice = only_ ? Choice{*only_, 1} : choose(from, sampler.next_fine());
-  const glm::vec2 u = sampler.next2();
-  if (!(choice.probability > 0)) return {};
-  LightSample sample = sample_source(choice, from, u);
-  sample.source = choice.source;
-  return sample;
+  return sample_source(choice, from, sampler.next2());
 }
 
 LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec2 u) const {
   const auto [source, probability] = choice;
+  if (!(probability > 0)) return {};
   switch (source.type) {
     case LightSource::Type::Emitter: {
       const Emitter& e = tracer_.emitters()[source.index];
@@ -173,15 +172,16 @@ LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec
               .target = surface.position + (front ? e.error : -e.error) * surface.normal,
               .radiance = radiance,
               .pdf_solid_angle = probability * surface.pdf_solid_angle,
-              .to_be_met = material.opacity || material.emission_texture ? source.index : kNoEmitter};
+              .to_be_met = material.opacity || material.emission_texture ? source.index : kNoEmitter,
+              .source = source};
     }
     case LightSource::Type::Point: {
       const PointLight& light = scene_.point_lights[source.index];
-      return from_point(sample_delta(light, from), light.position, probability);
+      return from_point(source, sample_delta(light, from), light.position, probability);
     }
     case LightSource::Type::Spot: {
       const SpotLight& light = scene_.spot_lights[source.index];
-      return from_point(sample_delta(light, from), light.position, probability);
+      return from_point(source, sample_delta(light, from), light.position, probability);
     }
     case LightSource::Type::Distant: {
       const DeltaSample delta = sample_delta(scene_.distant_lights[source.index]);
@@ -190,7 +190,8 @@ LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec
               .infinite = true,
               .radiance = delta.irradiance,
               .pdf_solid_angle = probability,
-              .is_delta = true};
+              .is_delta = true,
+              .source = source};
     }
     case LightSource::Type::Environment: {
       const EnvironmentSample sky = environment_.sample(u);
@@ -199,7 +200,8 @@ LightSample Lights::sample_source(const Choice& choice, glm::vec3 from, glm::vec
               .direction = sky.direction,
               .infinite = true,
               .radiance = sky.radiance,
-              .pdf_solid_angle = probability * sky.pdf_solid_angle};
+              .pdf_solid_angle = probability * sky.pdf_solid_angle,
+              .source = source};
     }
   }
   return {};

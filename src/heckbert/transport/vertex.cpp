@@ -32,7 +32,7 @@ float error_of(Fault fault, const LightSample& light, float cosine, float import
 /// Next-event estimation without words: calls per_lobe(event, light, value) for each lobe that sends light back.
 template <class PerLobe>
 void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule,
-                           PerLobe per_lobe) {
+                           const PerLobe& per_lobe) {
   const LightSample light = world.lights.sample(vertex.hit.position, walk.sampler);
   if (!(light.pdf_solid_angle > 0)) return;
   const glm::vec3 wi = vertex.local(light.direction);
