@@ -19,10 +19,11 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <heckbert/import/import.h>
 #include <heckbert/transport/frame.h>
 #include <heckbert/transport/render.h>
 #include <heckbert/transport/tracer.h>
+
+#include "scenes.h"
 
 namespace {
 
@@ -64,7 +65,7 @@ struct Random {
 class BareLoop {
  public:
   explicit BareLoop(const transport::Scene& scene) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
     for (const transport::Shape& shape : scene.shapes) attach(scene, shape);
     rtcCommitScene(scene_);
   }
@@ -201,49 +202,7 @@ class BareLoop {
   float lamp_area_ = 0;
 };
 
-// ---- the scenes -----------------------------------------------------------------------------------------------------
-
-/// The Cornell box with its lamp hung below an uncut ceiling: 32 triangles.
-transport::Scene boxes() {
-  transport::Scene scene = import::load_scene_or_builtin("cornell").scene;
-  for (transport::Shape& shape : scene.shapes) {
-    auto& mesh = std::get<transport::Mesh>(shape.geometry);
-    if (shape.name == "ceiling") {
-      mesh.positions.resize(4);
-      mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    }
-    if (shape.name == "lamp")
-      for (glm::vec3& p : mesh.positions) p.y -= 0.1f;
-  }
-  return scene;
-}
-
-/// The Cornell box with a dented ball of 512 x 1024 cells instead of its blocks: half a million triangles where every
-/// bounce off the ball is incoherent.
-transport::Scene ball() {
-  transport::Scene scene = boxes();
-  std::erase_if(scene.shapes, [](const transport::Shape& shape) { return shape.name.ends_with("block"); });
-  constexpr unsigned kRows = 512, kColumns = 512;
-  transport::Mesh mesh;
-  for (unsigned row = 0; row <= kRows; ++row)
-    for (unsigned column = 0; column < kColumns; ++column) {
-      const float theta = kPi * static_cast<float>(row) / kRows;
-      const float phi = 2 * kPi * static_cast<float>(column) / kColumns;
-      const float dents = std::sin(19 * theta) * std::sin(23 * phi) + 0.5f * std::sin(61 * theta) * std::sin(53 * phi);
-      const float radius = 180 * (1 + 0.04f * dents * std::sin(theta));
-      mesh.positions.push_back(glm::vec3(278, 230, 280) + radius * glm::vec3(std::sin(theta) * std::cos(phi),
-                                                                             std::cos(theta),
-                                                                             std::sin(theta) * std::sin(phi)));
-    }
-  for (unsigned row = 0; row < kRows; ++row)
-    for (unsigned column = 0; column < kColumns; ++column) {
-      const unsigned a = row * kColumns + column, b = row * kColumns + (column + 1) % kColumns;
-      mesh.triangles.emplace_back(a, b, b + kColumns);
-      mesh.triangles.emplace_back(a, b + kColumns, a + kColumns);
-    }
-  scene.shapes.push_back({.name = "ball", .geometry = std::move(mesh), .material = scene.shapes.front().material});
-  return scene;
-}
+// ---- the comparison -------------------------------------------------------------------------------------------------
 
 double mean_green(const std::vector<Rgb>& pixels) {
   double sum = 0;
@@ -265,7 +224,7 @@ int main(int argc, char** argv) {
     const char* name;
     transport::Scene scene;
     double aim;
-  } rows[] = {{"boxes, 32 triangles", boxes(), 0.6}, {"ball, half a million triangles", ball(), 0.75}};
+  } rows[] = {{"boxes, 32 triangles", bench::boxes(), 0.6}, {"ball, half a million triangles", bench::ball(), 0.75}};
   for (const auto& row : rows) {
     // The bare loop draws random numbers, so the renderer does too.
     const transport::RenderSettings settings{.width = size,
