@@ -3,10 +3,14 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <heckbert/record/file.h>
 #include <heckbert/record/record.h>
+#include <heckbert/report/json_parts.h>
 
 #include "cli/run.h"
 
@@ -14,6 +18,8 @@ namespace heckbert::cli::testing {
 namespace {
 
 using record::Layer;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
 
 class Pictures : public ::testing::Test {
  protected:
@@ -156,6 +162,87 @@ TEST_F(Pictures, GoToStandardOutputAndComeFromStandardInput) {
                                 "--record-precision", "float", "--quiet"});
   EXPECT_EQ(rendered.err, "");
   EXPECT_TRUE(rendered.out == record);
+}
+
+// Samples go elsewhere, the energies stay: two-sample z-test, 1 %, of the caustic's energy with and without.
+TEST_F(Pictures, AdaptiveSamplingMovesSamplesAndNotTheEnergy) {
+  using Json = report::Json;
+  const auto rendered = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render", "lecture",  "--size",       "32x32", "--spp",
+                                       "128",    "--record", path("paths"),  "-o",    path("a.exr"),
+                                       "--json", "--lpe",    "caustic=LS+DE"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const Outcome even = rendered({"--seed", "5"}), adaptive = rendered({"--adaptive"});
+  ASSERT_EQ(adaptive.exit_code, 0) << adaptive.err;
+  EXPECT_THAT(adaptive.err, ContainsRegex("adaptive: [0-9]+ to [0-9]+ samples per pixel, 12[0-9.]+ on average"));
+  EXPECT_EQ(even.err.find("adaptive"), std::string::npos) << even.err;
+  const Json a = Json::parse(adaptive.out), b = Json::parse(even.out);
+  EXPECT_EQ(a["render"]["sampler"], "sobol, adaptive");
+  EXPECT_NEAR(a["tally"]["samples"].get<double>() / b["tally"]["samples"].get<double>(), 1, 0.1);
+  const Json& x = a["classes"][0]["energy"];
+  const Json& y = b["classes"][0]["energy"];
+  const double error = std::hypot(x["standard_error"].get<double>(), y["standard_error"].get<double>());
+  EXPECT_NEAR(x["mean"].get<double>(), y["mean"].get<double>(), 2.58 * error);
+  EXPECT_LT(error, 0.1 * y["mean"].get<double>());
+
+  EXPECT_THAT(run({"paths", path("paths"), "--pixel", "9,9", "--trace"}).err,
+              HasSubstr("does not say where --adaptive put its samples"));
+}
+
+TEST_F(Pictures, AdaptiveSamplingIsNotForWhatIsTracedInPieces) {
+  const std::vector<std::vector<std::string>> pieces{
+      {"--part", "1/2"}, {"--resume", path("old")}, {"--exact"}, {"--checkpoint", "9"}};
+  for (const std::vector<std::string>& piece : pieces) {
+    std::vector<std::string> arguments{"render", "cornell", "--spp", "4", "--record", path("paths"), "--adaptive"};
+    arguments.insert(arguments.end(), piece.begin(), piece.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << piece.front();
+    EXPECT_THAT(outcome.err, HasSubstr("--adaptive plans the samples of one render as a whole")) << piece.front();
+    EXPECT_FALSE(std::filesystem::exists(path("paths"))) << piece.front();
+  }
+  for (const char* algorithm : {"light", "bidirectional", "sppm", "vpl"}) {
+    const Outcome outcome =
+        run({"render", "cornell", "--record", path("paths"), "--adaptive", "--algorithm", algorithm});
+    EXPECT_EQ(outcome.exit_code, 2) << algorithm;
+    EXPECT_THAT(outcome.err, HasSubstr(fmt::format("but '{}' also walks from the light", algorithm)));
+  }
+}
+
+// Whatever way the record takes, its pixels and its batches tell one mean, which they would not if a pixel counted by
+// its samples.
+TEST_F(Pictures, AdaptiveSamplingGoesWithAllThatIsOneRender) {
+  const std::vector<std::vector<std::string>> ways{
+      {"--spp", "8"},
+      {"--time", "0.2"},
+      {"--spp", "8", "--crop", "3,5,30,29"},
+      {"--spp", "8", "--cryptomatte"},
+      {"--spp", "8", "--memory", "64M"},
+      {"--spp", "8", "--labels", "object"},
+      {"--spp", "8", "--record-precision", "float"},
+      {"--spp", "8", "--algorithm", "lecture"},
+      {"--spp", "8", "--algorithm", "radiosity", "--method", "patch-edge=0.5"}};
+  for (const std::vector<std::string>& way : ways) {
+    const std::string name = fmt::format("{}", fmt::join(way, " "));
+    std::vector<std::string> arguments{"render",      "lecture", "--size",      "32x32",     "--record",
+                                       path("paths"), "-o",      path("a.exr"), "--adaptive"};
+    arguments.insert(arguments.end(), way.begin(), way.end());
+    const Outcome outcome = run(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    const record::Record record = record::read_record(path("paths"));
+    EXPECT_GT(record.tally.samples, record.info.samples_per_pixel * record.info.window.pixel_count()) << name;
+    const record::Image beauty = record::beauty(record);
+    double sum = 0;
+    for (const Rgb& pixel : beauty.pixels) sum += static_cast<double>(luminance(pixel));
+    const double total = record::energy(record, std::vector<bool>(record.words.size(), true)).mean;
+    EXPECT_GT(total, 0) << name;
+    EXPECT_NEAR(sum / static_cast<double>(beauty.pixels.size()), total, 1e-3 * total) << name << ": half floats";
+  }
+  // Its sums are not kept, and so it cannot be added to.
+  const Outcome merged = run({"record", "merge", path("paths"), path("paths"), "-o", path("both")});
+  EXPECT_NE(merged.exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(path("both")));
 }
 
 TEST_F(Pictures, LightThatNoPathCarriesHasLayersOfItsOwn) {

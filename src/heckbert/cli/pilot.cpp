@@ -12,6 +12,8 @@ constexpr int kShrink = 8;             ///< pilot pictures are smaller than the 
 constexpr double kEnoughShare = 0.04;  ///< of the whole time: a pilot that took this long can be trusted
 constexpr int kMaxPilotSamples = 1'024;
 constexpr int kMaxSamples = 1'000'000;
+constexpr int kMostToPlan = 32;  ///< samples of a pilot that plans: a block of pixels then has two thousand
+constexpr int kMeanRepeats = 4;  ///< so that a quiet pixel can have a quarter of the samples
 
 using Clock = std::chrono::steady_clock;
 
@@ -53,6 +55,23 @@ Plan plan_for(const transport::Scene& scene, const transport::RenderSettings& se
   const double fitting = std::max(0.0, seconds - plan.seconds) * plan.samples_per_second / pixels;
   plan.samples_per_pixel = static_cast<int>(std::clamp(std::floor(fitting), 1.0, static_cast<double>(kMaxSamples)));
   return plan;
+}
+
+transport::RenderSettings adapted(const transport::Scene& scene, transport::RenderSettings settings,
+                                  std::span<const taxonomy::Language> classes, const std::atomic<bool>& stop) {
+  const int samples = settings.samples_per_pixel;
+  transport::RenderSettings pilot = settings;
+  pilot.samples_per_pixel = std::clamp(static_cast<int>(kPilotShare / 2 * samples), 1, kMostToPlan);
+  const auto rendered = [&](std::uint64_t seed) {
+    pilot.seed = seed;
+    return transport::render(scene, pilot, {.progress = {}, .stop = &stop});
+  };
+  // Seeds of samples that the render does not take.
+  const record::Record first = rendered(~settings.seed), second = rendered(~settings.seed - 1);
+  settings.samples_per_pixel = std::max(1, samples / kMeanRepeats);
+  settings.sample_map =
+      record::plan_samples(first, second, classes, static_cast<double>(samples) / settings.samples_per_pixel);
+  return settings;
 }
 
 }  // namespace heckbert::cli

@@ -72,6 +72,8 @@ double light_of(const RetracedPath& path) {
 }  // namespace
 
 transport::RenderSettings settings_of(const record::RenderInfo& info) {
+  if (info.sampler.ends_with(transport::kAdaptive))
+    throw ReadError("this record cannot be traced again: it does not say where --adaptive put its samples");
   transport::RenderSettings settings;
   try {
     settings.algorithm = choose(info.algorithm, transport::kAlgorithms).id;

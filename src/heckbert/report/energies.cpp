@@ -132,8 +132,10 @@ GroupEnergy Energies::estimate(const Sums& sums) const {
     result.count = sums.entries.count;
   }
   if (result.energy.known && result.energy.mean > 0) {
-    // The variance of one sample is that of a mean of samples times their number.
-    const double samples = static_cast<double>(pixel_count()) * record_.info.samples_per_pixel;
+    // The variance of one sample is that of a mean of samples times their number, which adaptive sampling makes
+    // different from pixel to pixel.
+    const double samples = static_cast<double>(record_.tally.samples) * static_cast<double>(pixel_count()) /
+                           static_cast<double>(record_.info.window.pixel_count());
     result.relative_variance = std::pow(result.energy.standard_error / result.energy.mean, 2) * samples;
   }
   return result;

@@ -65,6 +65,13 @@ std::string found(const record::Tally& tally) {
   return text;
 }
 
+std::string samples_taken(const record::RenderInfo& info, const record::Tally& tally) {
+  // Adaptive sampling repeats them where they are needed.
+  const bool is_even = tally.samples <= static_cast<std::uint64_t>(info.samples_per_pixel) * info.window.pixel_count();
+  return fmt::format("{}{} per pixel, {} in all", is_even ? "" : "at least ", info.samples_per_pixel,
+                     grouped(tally.samples));
+}
+
 }  // namespace
 
 std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tally) {
@@ -72,7 +79,7 @@ std::vector<Fact> facts(const record::RenderInfo& info, const record::Tally& tal
       {"Scene", info.scene},
       {"Algorithm", info.algorithm},
       {"Picture", picture_size(info)},
-      {"Samples", fmt::format("{} per pixel, {} in all", info.samples_per_pixel, grouped(tally.samples))},
+      {"Samples", samples_taken(info, tally)},
       {"Seed", info.parts.empty() ? std::to_string(info.seed) : samples_text(info)},
       {"Depth", fmt::format("at most {} scatterings per path", info.max_depth)},
       {"Labels", info.labels.empty() ? "none" : info.labels},

@@ -193,6 +193,8 @@ constexpr const AlgorithmFacts& facts(AlgorithmId id) {
   return kAlgorithms[static_cast<std::size_t>(id)];
 }
 
+inline constexpr std::string_view kAdaptive = ", adaptive";
+
 struct RenderSettings {
   AlgorithmId algorithm = AlgorithmId::Path;
   int width = 512, height = 512;
@@ -202,8 +204,9 @@ struct RenderSettings {
   std::vector<bool> skip{};    ///< by pixel of the window, row by row: not to be traced; empty: all are
   int max_depth = 32;          ///< most scatterings per path
   std::uint64_t seed = 1;
-  int threads = 0;                                ///< 0: all cores
-  std::optional<record::SampleMap> sample_map{};  ///< for the window; unset: every pixel once
+  int threads = 0;  ///< 0: all cores
+  /// For the window; unset: every pixel once. The record's `sampler` tells that there was one, by kAdaptive at its end.
+  std::optional<record::SampleMap> sample_map{};
   PixelFilter filter{};
   SamplerKind sampler = kSamplers.front().kind;
   LabelRule labels{};  ///< nothing

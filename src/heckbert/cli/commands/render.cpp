@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -47,6 +48,7 @@ struct RenderOptions {
   bool no_preview = false, exact = false;
   std::vector<std::string> classes;  ///< "name=EXPR" or "EXPR"
   bool cryptomatte = false;
+  bool adaptive = false;
   bool json = false;
   SettingFlags flags;
 };
@@ -71,6 +73,9 @@ void declare(CLI::App& command, RenderOptions& options) {
                    "Cryptomatte of the --lpe classes, else of all words, in the -o file");
   command.add_option("--algorithm", options.algorithm, with_algorithms("how to trace (default: path):"))
       ->type_name("NAME");
+  command.add_flag("--adaptive", options.adaptive,
+                   "more samples where the --lpe classes, else the picture, are noisy;\n"
+                   "not in pieces, not for algorithms that walk from the light");
   command.add_flag("--json", options.json, "print what was done as JSON");
   add_settings(command, options.flags,
                {Scope::Tracing, Scope::Rendering, Scope::Dialect, Scope::Glossy, Scope::Confidence});
@@ -80,6 +85,7 @@ constexpr const char* kExamples =
     "  heckbert render cornell -o cornell.exr --record cornell.paths.exr --spp 64\n"
     "  heckbert render room.obj -o room.exr --size 640x480 --time 30\n"
     "  heckbert render lecture -o out.exr --lpe caustic='LS+DE' --lpe indirect=@indirect\n"
+    "  heckbert render lecture -o caustic.exr --lpe caustic='LS+DE' --adaptive\n"
     "  heckbert render lecture --record whitted.paths.exr --algorithm whitted\n"
     "  heckbert render lecture --record out.paths.exr --checkpoint 60\n"
     "  heckbert render lecture --record out.paths.exr --checkpoint 60 --resume out.paths.exr\n"
@@ -132,6 +138,15 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
   render.part = ranks.count() > 1 ? record::Part{ranks.number() + 1, ranks.count()} : settings.part;
   if (settings.seconds && (render.part.of > 1 || !options.resume.empty()))
     throw UsageError("--time: what is traced in pieces needs a number of samples that all pieces know; use --spp");
+  if (options.adaptive && (render.part.of > 1 || !options.resume.empty() || options.exact || settings.checkpoint))
+    throw UsageError(
+        "--adaptive plans the samples of one render as a whole: it excludes what is traced in pieces or merged later, "
+        "which is --part, --resume, --checkpoint, --exact and mpirun");
+  if (options.adaptive && transport::facts(render.algorithm).from_light)
+    throw UsageError(fmt::format(
+        "--adaptive plans how many walks each pixel begins, but '{}' also walks from the light, which is for "
+        "all pixels at once; use another --algorithm",
+        options.algorithm));
   if (render.part.of > render.samples_per_pixel)
     throw UsageError(fmt::format("{} samples per pixel cannot be shared out into {} parts", render.samples_per_pixel,
                                  render.part.of));
@@ -149,6 +164,21 @@ transport::RenderSettings render_settings(const RenderOptions& options, const Se
     throw UsageError(
         fmt::format("--crop: the window reaches beyond the picture of {}x{}", render.width, render.height));
   return render;
+}
+
+transport::RenderSettings plan_adaptively(const transport::Scene& scene, const transport::RenderSettings& render,
+                                          const std::vector<taxonomy::Grammar>& grammars, const Settings& settings,
+                                          const Console& console, const std::atomic<bool>& stop) {
+  std::vector<taxonomy::Language> classes;
+  for (const taxonomy::Grammar& grammar : grammars)
+    classes.push_back(taxonomy::apply(settings.glossy, grammar.language));
+  transport::RenderSettings planned = adapted(scene, render, classes, stop);
+  const auto& repeats = planned.sample_map->repeats;
+  const auto [fewest, most] = std::minmax_element(repeats.begin(), repeats.end());
+  console.note(fmt::format("adaptive: {} to {} samples per pixel, {:.1f} on average",
+                           *fewest * planned.samples_per_pixel, *most * planned.samples_per_pixel,
+                           planned.sample_map->mean() * planned.samples_per_pixel));
+  return planned;
 }
 
 void tell_account(const Console& console, const std::string& name, const import::Account& account) {
@@ -306,11 +336,14 @@ ExitCode run(const RenderOptions& options) {
   if (settings.seconds) {
     const Plan plan = plan_for(imported.scene, render, *settings.seconds, interrupt.stop());
     render.samples_per_pixel = plan.samples_per_pixel;
+    if (options.adaptive)
+      render.samples_per_pixel = std::max(1, static_cast<int>(plan.samples_per_pixel / (1 + kPilotShare)));
     console.note(fmt::format("{} samples per pixel fit into {:g} s (measured {:.2f} Msamples/s in {:.2f} s)",
                              plan.samples_per_pixel, *settings.seconds, plan.samples_per_second / 1e6, plan.seconds));
   }
   console.note(fmt::format("{}x{} pixels, {} samples per pixel, {}, seed {}, at most {} scatterings", render.width,
                            render.height, render.samples_per_pixel, options.algorithm, render.seed, render.max_depth));
+  if (options.adaptive) render = plan_adaptively(imported.scene, render, grammars, settings, console, interrupt.stop());
 
   Work work;
   TracingJob job = job_of(options, settings, render, imported, outputs, ranks);
@@ -341,11 +374,13 @@ ExitCode run(const RenderOptions& options) {
     if (settings.memory) folding = fold_rule(*settings.memory, job.info, grammars);
     streamed.emplace(job.info, outputs.record, languages, settings.glossy, folding);
     is_done = trace(imported.scene, job, console, interrupt.stop(), work, *streamed);
-    if (!is_done && !outputs.record.empty() && !streamed->spool.is_folded())
-      sums = streamed->spool.sums(true);  // to be resumed
+    const bool can_be_resumed =
+        !is_done && !outputs.record.empty() && !options.adaptive && !streamed->spool.is_folded();
+    if (can_be_resumed) sums = streamed->spool.sums(true);
   }
 
-  const bool keeps_sums = sums && (options.exact || sums->info.partial || !sums->info.parts.empty());
+  const bool keeps_sums =
+      sums && !options.adaptive && (options.exact || sums->info.partial || !sums->info.parts.empty());
   const Result result = sums ? result_of(std::move(*sums), keeps_sums, precision, grammars, settings)
                              : result_of(*streamed, is_done, grammars, settings);
   const record::Record& record = result.record;
