@@ -434,11 +434,14 @@ std::optional<Hit> Tracer::intersect(const Ray& ray, float farthest) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(impl_->scene.get(), &context, &query);
-  std::optional<Hit> met;
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return met;
+  std::optional<Hit> met(std::in_place);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+    met.reset();
+    return met;
+  }
 
   const Placed& p = impl_->placed_at(query.hit);
-  Hit& hit = met.emplace();
+  Hit& hit = *met;
   hit.shape = p.number;
   hit.primitive = query.hit.primID;
   if (const auto* mesh = std::get_if<Mesh>(&p.shape->geometry)) {

@@ -43,6 +43,8 @@ struct Hit {
   bool has_coordinates = false;        ///< the material asks for texture coordinates: the following are set
   glm::vec2 uv;
   glm::vec3 along_u, along_v;  ///< how the position moves with u and with v; zero where the coordinates stand still
+
+  Hit() {}  // not `= default`, or every hit would be set to zero before it is filled
 };
 
 /// How far from a point a ray must start to clear the shape that it lies on. `size`: of the shape, or of its triangle

@@ -24,9 +24,18 @@ Meeting travel_through_bodies(const World& world, Walk& walk, Ray& ray, Rgb& thr
 /// throughput by what the media did, over the density of what was drawn.
 inline Meeting travel(const World& world, Walk& walk, Ray& ray, Rgb& throughput,
                       Particles particles = Particles::Scatter) {
-  if (world.has_bodies) return travel_through_bodies(world, walk, ray, throughput, particles);
-  ++walk.rays;
-  return {world.tracer.intersect(ray), false};
+  if (!world.has_bodies) [[likely]] {
+    ++walk.rays;
+    return {world.tracer.intersect(ray), false};
+  }
+  // Copies, so that where there are no bodies nobody has the address of the tracer's ray and throughput, and they can
+  // stay in registers.
+  Ray through = ray;
+  Rgb dimmed = throughput;
+  const Meeting meeting = travel_through_bodies(world, walk, through, dimmed, particles);
+  ray = through;
+  throughput = dimmed;
+  return meeting;
 }
 
 /// What arrives of a light at a point within `bodies`, dimmed by media, through boundaries that are passed straight;

@@ -68,6 +68,13 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
 
 }  // namespace
 
+TrailVertex trail_vertex(const record::Contribution& contribution, const LightSample& light) {
+  const auto ratio = [](float value, float radiance) { return radiance > 0 ? value / radiance : 0.0f; };
+  const Rgb value = contribution.value, radiance = light.radiance;
+  const Rgb throughput{ratio(value.r, radiance.r), ratio(value.g, radiance.g), ratio(value.b, radiance.b)};
+  return {light.infinite ? light.direction : light.target, throughput, light.infinite};
+}
+
 Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
                    const LightSample& light) {
   if (world.has_bodies) {
@@ -88,7 +95,8 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
 Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front)
     : hit(found), material(&scene.materials[found.material]) {
   const float side = hit.front ? 1.0f : -1.0f;
-  const auto shade_with = [&](glm::vec3 normal) {
+  // By reference, though a copy is no dearer elsewhere: not inlined, it would be written by parts and read as a whole.
+  const auto shade_with = [&](const glm::vec3& normal) {
     frame = hit.has_coordinates ? Frame::along(side * normal, hit.along_u) : Frame::around(side * normal);
     wo = frame.to_local(-ray_direction);
   };

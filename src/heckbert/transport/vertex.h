@@ -51,6 +51,9 @@ struct World {
   const RadiositySolution* radiosity = nullptr;  ///< for the algorithms that show it
 };
 
+/// The end of a path at the light that was sampled from its last vertex.
+TrailVertex trail_vertex(const record::Contribution& contribution, const LightSample& light);
+
 /// What one camera sample carries along.
 struct Walk {
   record::PathSink& sink;
@@ -71,17 +74,14 @@ struct Walk {
   }
   /// A path to the light that the walk stands at.
   void find(const record::Contribution& contribution) {
-    found.push_back(contribution);
+    // Member by member: a whole that was just put together is not read before all its stores are through.
+    found.emplace_back(contribution.word, contribution.value, contribution.technique);
     if (trail != nullptr) trail->of_found.push_back(trail->vertices);
   }
   /// A path that goes on from here to a light.
   void find(const record::Contribution& contribution, const LightSample& light) {
     find(contribution);
-    if (trail == nullptr) return;
-    const auto ratio = [](float value, float radiance) { return radiance > 0 ? value / radiance : 0.0f; };
-    const Rgb value = contribution.value, radiance = light.radiance;
-    const Rgb throughput{ratio(value.r, radiance.r), ratio(value.g, radiance.g), ratio(value.b, radiance.b)};
-    trail->of_found.back().push_back({light.infinite ? light.direction : light.target, throughput, light.infinite});
+    if (trail != nullptr) trail->of_found.back().push_back(trail_vertex(contribution, light));
   }
 };
 
@@ -114,9 +114,14 @@ struct Vertex {
   }
   /// What becomes of radiance from wi at the lobes without a Dirac.
   struct Values {
-    std::array<Rgb, kMaxLobes> f{};  ///< of each lobe, as LobeValue's
+    /// Of each lobe, as LobeValue's. In a union, which does not set to zero what no lobe will use.
+    union {
+      Rgb f[kMaxLobes];
+    };
     /// Of following any of them into wi, selection included: the density that multiple importance weights see.
     float pdf_solid_angle = 0;
+
+    Values() {}
   };
   Values values(glm::vec3 wi) const;
   /// A world direction as this vertex may use it: local, with a z of 0 when the shading and the geometric normal
