@@ -108,13 +108,20 @@ TEST_F(Memory, AnswersOtherQuestionsBetweenBounds) {
 }
 
 TEST_F(Memory, IsRefusedWhereItCannotBeKept) {
-  for (const std::vector<std::string>& more :
-       std::vector<std::vector<std::string>>{{"--exact"}, {"--part", "1/2"}, {"--checkpoint", "60"}}) {
+  struct Case {
+    std::vector<std::string> more;
+    const char* message;
+  };
+  for (const Case& refused :
+       {Case{{"--exact"}, "--memory: --exact and --part keep sums"},
+        {{"--part", "1/2"}, "--memory: --exact and --part keep sums"},
+        {{"--checkpoint", "60"}, "with --checkpoint, with --resume or by mpirun is held in memory"},
+        {{"--algorithm", "light"}, "--memory: a render from the light"}}) {
     std::vector<std::string> arguments{"--memory", "1G", "--record", path("none")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    arguments.insert(arguments.end(), refused.more.begin(), refused.more.end());
     const Outcome outcome = render(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << more[0];
-    EXPECT_THAT(outcome.err, HasSubstr("--memory: a render in pieces")) << more[0];
+    EXPECT_EQ(outcome.exit_code, 2) << refused.more[0];
+    EXPECT_THAT(outcome.err, HasSubstr(refused.message)) << refused.more[0];
   }
   EXPECT_THAT(render({"--memory", "much", "--record", path("none")}).err, HasSubstr("'much' is no amount of memory"));
   EXPECT_FALSE(std::filesystem::exists(path("none")));

@@ -2,6 +2,7 @@
 // same bytes. All on a small render of the lecture's scene, which has diffuse, mirror and glass words.
 
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -110,6 +111,39 @@ TEST_F(Pictures, ThePictureIsTheSumOfAllWords) {
   EXPECT_EQ(query("a", {"L.*E"})[0].image.pixels, picture[0].image.pixels);
   const record::Record record = record::read_record(path("a.paths.exr"));
   EXPECT_EQ(record::beauty(record).pixels, picture[0].image.pixels);
+}
+
+TEST_F(Pictures, OpenImageIOFlattensARecordToThePicture) {
+  if (std::system("oiiotool --help > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "no oiiotool (openimageio-tools): what other programs make of a record is NOT tested";
+  render("a");
+  const std::string flatten = fmt::format("oiiotool '{}' --flatten --subimage 0 --ch R,G,B -d float -o '{}'",
+                                          path("a.paths.exr"), path("flat.exr"));
+  ASSERT_EQ(std::system(flatten.c_str()), 0);
+  const record::Image flat = record::read_layers(path("flat.exr"))[0].image;
+  const record::Image picture = record::read_layers(path("a.exr"))[0].image;
+  ASSERT_EQ(flat.pixels.size(), picture.pixels.size());
+  // It adds some thirty words of a pixel up in float, each time with a rounding of 6e-8 at most.
+  for (std::size_t i = 0; i < flat.pixels.size(); ++i) {
+    const Rgb a = flat.pixels[i], b = picture.pixels[i];
+    EXPECT_LE(std::max(max_channel(a - b), max_channel(b - a)), 2e-6f * max_channel(b)) << i;
+  }
+}
+
+TEST_F(Pictures, ACryptomatteAskedForLaterIsTheOneDeclared) {
+  const std::vector<std::string> classes{"direct=LDE", "caustic=LS+DE"};
+  render("a", {"--lpe", classes[0], "--lpe", classes[1], "--cryptomatte"});
+  render("lone", {"--cryptomatte"});
+  const auto mattes = [&](const std::string& name) {
+    std::vector<std::vector<Rgb>> found;
+    for (const Layer& layer : record::read_layers(path(name)))
+      if (layer.name.starts_with("PathClass")) found.push_back(layer.image.pixels);
+    return found;
+  };
+  query("a", {classes[0], classes[1], "--cryptomatte"});
+  ASSERT_EQ(mattes("a.exr").size(), 4u);
+  EXPECT_EQ(mattes("a.exr"), mattes("query.exr"));
+  EXPECT_EQ(read_bytes(path("lone.paths.exr")), read_bytes(path("a.paths.exr"))) << "and the record is the same";
 }
 
 TEST_F(Pictures, AClassAndItsComplementAddUpToThePicture) {

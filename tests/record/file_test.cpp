@@ -104,6 +104,45 @@ TEST(RecordFile, TellsTheTotalsWithoutThePixels) {
   EXPECT_TRUE(totals == record);
 }
 
+TEST(RecordFile, ShowsItsRows) {
+  const TemporaryFolder folder;
+  Record record = record_of(MadeUpLight(31), info_for({5, 3, 25, 50}, 9));
+  record.ambient.assign(record.info.window.pixel_count(), Rgb(1));
+  write_record(record, folder / "r.exr");
+  const RecordFile file(folder / "r.exr");
+  EXPECT_TRUE(file.whole() == record);
+  Record totals = record;
+  totals.entries.clear();
+  totals.offsets.clear();
+  EXPECT_TRUE(file.totals() == totals);
+
+  std::vector<std::vector<Entry>> pixels(record.info.window.pixel_count());
+  std::vector<int> seen(static_cast<std::size_t>(record.info.window.height()));
+  file.visit_rows([&](const PixelRow& row) {
+    ++seen[static_cast<std::size_t>(row.y - record.info.window.y0)];
+    for (std::size_t i = 0; i < row.pixel_count(); ++i)
+      pixels[row.first_pixel + i].assign(row.pixel(i).begin(), row.pixel(i).end());
+  });
+  EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto expected =
+        std::span(record.entries).subspan(record.offsets[i], record.offsets[i + 1] - record.offsets[i]);
+    EXPECT_TRUE(std::ranges::equal(pixels[i], expected)) << i;
+  }
+  const std::vector<std::vector<bool>> sets{std::vector<bool>(record.words.size(), true)};
+  EXPECT_EQ(images_of(file.totals(), rows_of(file), sets).front().pixels, beauty(record).pixels);
+}
+
+TEST(RecordFile, ThatIsDamagedIsFoundOutWhileItShowsItsRows) {
+  const TemporaryFolder folder;
+  write_record(record_of(MadeUpLight(32), info_for({0, 0, 20, 40}, 3)), folder / "r.exr");
+  std::string bytes = bytes_of(folder / "r.exr");
+  for (std::size_t i = 0; i < 64; ++i) bytes[bytes.size() / 2 + i] ^= 0x55;
+  put_bytes(folder / "r.exr", bytes);
+  const auto visit = [&] { RecordFile(folder / "r.exr").visit_rows([](const PixelRow&) {}); };
+  EXPECT_THROW(visit(), ReadError);
+}
+
 TEST(RecordSpool, WritesWhatTheAssembledRecordWouldBe) {
   const TemporaryFolder folder;
   for (const Precision precision : {Precision::Half, Precision::Float}) {
@@ -125,10 +164,14 @@ TEST(RecordSpool, WritesWhatTheAssembledRecordWouldBe) {
       spool.submit(tile);
       assembler.submit(tile);
     }
-    spool.write(folder / "spooled.exr", true);
     Sums expected{info, added(info.window, tiles)};
     expected.info.partial = true;
-    EXPECT_TRUE(spool.sums(true) == expected);
+    EXPECT_TRUE(collected(spool.stream(true)) == expected);
+    write_sums(spool.stream(true), folder / "spooled.exr");
+    write_sums(expected, folder / "assembled.exr");
+    EXPECT_TRUE(bytes_of(folder / "spooled.exr") == bytes_of(folder / "assembled.exr"));
+    EXPECT_TRUE(read_sums(folder / "spooled.exr").tile == expected.tile);
+    spool.write(folder / "spooled.exr", true);
     write_record(assembler.finish(true), folder / "assembled.exr");
     EXPECT_TRUE(bytes_of(folder / "spooled.exr") == bytes_of(folder / "assembled.exr"));
     Record totals = spool.totals(true);

@@ -39,6 +39,7 @@ Record record_with(int samples_per_pixel, const std::vector<std::vector<float>>&
   Record record;
   record.info = info_for({0, 0, 1, 1}, samples_per_pixel);
   record.words = {"LE"_word, "LDE"_word, "LSE"_word};
+  record.counts.assign(3, 20);
   record.batch_means.resize(std::size_t{3} * kBatches);
   for (std::size_t w = 0; w < by_word_and_batch.size(); ++w)
     for (std::size_t b = 0; b < by_word_and_batch[w].size(); ++b)
@@ -147,6 +148,19 @@ TEST(Estimate, OfWhatWasNotFoundIsZeroUpToSomeContributions) {
   EXPECT_NEAR(energy_of_none.upper, 0.2 * 3.87, 0.01);
   EXPECT_NEAR(share_of_none.upper, 3.87 / 60, 0.001);
   EXPECT_EQ(share_of_none.lower, 0);
+}
+
+TEST(Estimate, OfWhatWasNotFoundSupposesPathsLikeThoseOfWordsFoundOnce) {
+  // Two words of one path each, 3 and 5 in the mean; the third has 40 paths that make 16.
+  Record record = record_with(32, {std::vector<float>(32, 16), std::vector<float>(32, 3), std::vector<float>(32, 5)});
+  record.counts = {40, 1, 1};
+  record.tally.hits = 42;
+  const std::vector<bool> none{false, false, false};
+  EXPECT_NEAR(contribution_if_none(record), 4, kFloatNoise);
+  EXPECT_NEAR(energy(record, none).upper, 4 * 3.87, 0.1);
+  record.counts = {1, 21, 20};
+  std::fill_n(record.batch_means.begin(), kBatches, Rgb(0.1f));
+  EXPECT_NEAR(contribution_if_none(record), 8.1 / 42, kFloatNoise) << "and is not less than the average";
 }
 
 TEST(Share, StaysBetweenNothingAndEverything) {

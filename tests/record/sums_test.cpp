@@ -11,6 +11,7 @@
 #include <heckbert/record/file.h>
 #include <heckbert/record/statistics.h>
 #include <heckbert/record/sums.h>
+#include <heckbert/record/sums_stream.h>
 #include <heckbert/taxonomy/error.h>
 
 #include "synthetic.h"
@@ -218,6 +219,34 @@ TEST(SumsFile, MeansAreNoSums) {
   } catch (const ReadError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("r.exr"), HasSubstr("this record has means and no sums")));
   }
+}
+
+TEST(SumsStream, OfSeveralFilesIsMergedToTheBytesOfSumsInMemory) {
+  const TemporaryFolder folder;
+  const MadeUpLight light(60);
+  std::vector<Sums> parts{part_of(light, 40, {}, 2)};
+  for (int number = 1; number <= 4; ++number) parts.push_back(part_of(light, 40, {number, 4}));
+  std::vector<SumsStream> streams;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto path = folder / (std::to_string(i) + ".exr");
+    write_sums(parts[i], path);
+    streams.push_back(open_sums(path));
+  }
+  std::mt19937 random(60);
+  std::shuffle(streams.begin(), streams.end(), random);
+  SumsStream stream = merged(std::move(streams));
+  Sums sums = merged_at_random(std::move(parts), random);
+  EXPECT_TRUE(collected(stream) == sums);
+  write_sums(stream, folder / "streamed.exr");
+  write_sums(sums, folder / "held.exr");
+  EXPECT_TRUE(bytes_of(folder / "streamed.exr") == bytes_of(folder / "held.exr"));
+  for (const Precision precision : {Precision::Half, Precision::Float}) {
+    stream.info.precision = sums.info.precision = precision;
+    write_record(stream, folder / "streamed.exr");
+    write_record(record_of(sums), folder / "held.exr");
+    EXPECT_TRUE(bytes_of(folder / "streamed.exr") == bytes_of(folder / "held.exr"));
+  }
+  EXPECT_THROW(merged({open_sums(folder / "1.exr"), open_sums(folder / "1.exr")}), MergeError);
 }
 
 /// Whatever bytes are damaged, reading ends in an error or in a record. 200 files, two bytes replaced in each, seed 6.

@@ -2,6 +2,7 @@
 
 #include <heckbert/report/coverage.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -246,6 +247,25 @@ TEST(Coverage, NamesThePixelOfWhichLeastIsCaptured) {
   EXPECT_EQ(worst(1).share, 0);
   EXPECT_NEAR(worst(2).share, 1, 1e-6);
   EXPECT_FALSE(coverage(sample_record(2, 2, {}), four_grammars()).grammars[0].worst_pixel.has_value());
+}
+
+TEST(Coverage, TakesRowsInAnyOrderAndNoPixelsBesides) {
+  const record::Record record = simple_record();
+  const std::vector<taxonomy::Grammar> grammars{grammar_of("a", "A", "LD*E"), grammar_of("b", "B", "L.*E")};
+  std::vector<record::PixelRow> rows;
+  record::rows_of(record)([&](const record::PixelRow& row) { rows.insert(rows.begin(), row); });
+  record::Record totals = record;
+  totals.offsets.clear();
+  totals.entries.clear();
+  const Coverage whole = coverage(record, grammars);
+  const Coverage by_rows = coverage(
+      totals, [&](const record::RowVisitor& visit) { std::for_each(rows.begin(), rows.end(), visit); }, grammars);
+  for (std::size_t g = 0; g < grammars.size(); ++g) {
+    EXPECT_EQ(by_rows.grammars[g].worst_pixel->x, whole.grammars[g].worst_pixel->x);
+    EXPECT_EQ(by_rows.grammars[g].worst_pixel->y, whole.grammars[g].worst_pixel->y);
+    EXPECT_EQ(by_rows.grammars[g].worst_pixel->share, whole.grammars[g].worst_pixel->share);
+    EXPECT_EQ(by_rows.grammars[g].share.lower, whole.grammars[g].share.lower);
+  }
 }
 
 TEST(Coverage, SaysHowManySamplesAWordNeeds) {

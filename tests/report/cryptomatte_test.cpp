@@ -46,7 +46,7 @@ TEST(Cryptomatte, RanksTheClassesOfAPixelByTheirLight) {
                                                      {.word = "LSE", .batches = {1}, .light = at(3, 0)}});
   const PathClasses classes = classes_by_word(record);
   EXPECT_EQ(classes.names, (std::vector<std::string>{"LE", "LDE", "LSE"})) << "by plain letters";
-  const record::Attachment matte = cryptomatte(record, classes);
+  const record::Attachment matte = cryptomatte(record.info.window, record::rows_of(record), classes);
   ASSERT_EQ(matte.layers.size(), kCryptomatteRanks / 2);
   EXPECT_EQ(matte.layers[1].name, "PathClass01");
   const auto& first = matte.layers[0].pixels;
@@ -62,7 +62,8 @@ TEST(Cryptomatte, GivesAWordToTheFirstClassThatHasIt) {
 
 TEST(Cryptomatte, NamesItselfInTheHeader) {
   const record::Record record = test::sample_record(1, 1, {{.word = "L'don\"t'E", .batches = {1}}});
-  const record::Attachment matte = cryptomatte(record, classes_by_word(record), "x");
+  const record::Attachment matte =
+      cryptomatte(record.info.window, record::rows_of(record), classes_by_word(record), "x");
   std::string manifest;
   for (const auto& [key, value] : matte.attributes) {
     EXPECT_EQ(key.find("cryptomatte/"), 0u);

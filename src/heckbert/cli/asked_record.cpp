@@ -1,6 +1,5 @@
 #include <heckbert/cli/asked_record.h>
 
-#include <heckbert/cli/files.h>
 #include <heckbert/report/facts.h>
 
 namespace heckbert::cli {
@@ -15,12 +14,10 @@ void add_grammars(CLI::App& command, std::vector<std::string>& texts) {
       ->allow_extra_args(false);
 }
 
-record::Record open_record(const std::string& name, Extent extent, const Console& console) {
-  record::Record record = extent == Extent::Totals ? read_record_totals(name) : read_record(name);
+void introduce(const record::Record& record, const Console& console) {
   console.detail(report::summary(record.info));
   for (const std::string& warning : report::warnings(record.info, record.tally)) console.note("warning: " + warning);
   console.note(report::folding(record));
-  return record;
 }
 
 }  // namespace heckbert::cli

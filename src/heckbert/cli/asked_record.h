@@ -18,10 +18,7 @@ void add_record(CLI::App& command, std::string& name);
 /// Adds --grammar, for the texts of find_to_cover().
 void add_grammars(CLI::App& command, std::vector<std::string>& texts);
 
-/// How much of a record a question needs. Pixels are most of it.
-enum class Extent { Totals, Pixels };
-
-/// The record, once the console has what it was rendered from and what is wrong with it. Errors: ReadError.
-record::Record open_record(const std::string& name, Extent extent, const Console& console);
+/// Tells the console what a record was rendered from and what is wrong with it.
+void introduce(const record::Record& record, const Console& console);
 
 }  // namespace heckbert::cli

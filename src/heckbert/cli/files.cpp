@@ -75,12 +75,20 @@ record::Record read_record(const std::string& name) {
   return read_from(name, record::read_record);
 }
 
+record::RecordFile open_record(const std::string& name) {
+  return read_from<record::RecordFile>(name, [](const fs::path& path) { return record::RecordFile(path); });
+}
+
 record::Record read_record_totals(const std::string& name) {
   return read_from(name, record::read_record_totals);
 }
 
 record::Sums read_sums(const std::string& name) {
   return read_from(name, record::read_sums);
+}
+
+record::SumsStream open_sums(const std::string& name) {
+  return read_from(name, record::open_sums);
 }
 
 std::string bytes_of(const record::Sums& sums) {
@@ -108,6 +116,15 @@ void check_writable(const std::string& name) {
   if (!fs::is_directory(folder)) throw WriteError(fmt::format("{}: {} is not a folder", name, folder.string()));
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     throw WriteError(fmt::format("{}: cannot write into {}: {}", name, folder.string(), reason()));
+}
+
+void make_writable_folder(const std::string& name) {
+  std::error_code error;
+  fs::create_directories(name, error);
+  if (!error && !fs::is_directory(name)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) throw WriteError(fmt::format("{}: cannot make this folder: {}", name, error.message()));
+  if (access(name.c_str(), W_OK | X_OK) != 0)
+    throw WriteError(fmt::format("{}: cannot write into it: {}", name, reason()));
 }
 
 void write_bytes(const std::string& name, std::string_view bytes) {

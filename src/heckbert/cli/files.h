@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include <heckbert/record/file.h>
 #include <heckbert/record/sums.h>
 
 namespace heckbert::cli {
@@ -16,11 +17,15 @@ std::string read_text(const std::string& name);
 /// A record from a file or from standard input. Errors: ReadError.
 record::Record read_record(const std::string& name);
 
-/// The same without pixels, see record::read_record_totals().
+/// One whose pixels are read when they are looked at. Errors: ReadError.
+record::RecordFile open_record(const std::string& name);
+
+/// A record without pixels, see record::read_record_totals().
 record::Record read_record_totals(const std::string& name);
 
-/// A record that keeps its sums, likewise. Errors: ReadError.
+/// A record that keeps its sums, likewise; in memory, or to be read a band of rows at a time. Errors: ReadError.
 record::Sums read_sums(const std::string& name);
+record::SumsStream open_sums(const std::string& name);
 
 /// A record that keeps its sums as the bytes of its file, and back, on the way to another process.
 /// Errors: WriteError, ReadError: the bytes pass through a temporary file, because OpenEXR needs one.
@@ -29,6 +34,9 @@ record::Sums sums_from(const std::string& bytes);
 
 /// Throws WriteError unless a file of this name can be made: asked before long work, so that it is not done in vain.
 void check_writable(const std::string& name);
+
+/// Makes the folder if it is not there. Errors: WriteError, also when nothing can be written into it.
+void make_writable_folder(const std::string& name);
 
 /// Writes a file, whole or not at all. Errors: WriteError.
 void write_bytes(const std::string& name, std::string_view bytes);

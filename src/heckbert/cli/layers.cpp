@@ -1,6 +1,7 @@
 #include <heckbert/cli/layers.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,13 +23,25 @@ std::string canonical(const ClassOfRecord& item) {
   return taxonomy::simplest_expression(item.grammar.language).value_or("");
 }
 
-bool contains_any(const std::vector<bool>& words) {
-  return std::find(words.begin(), words.end(), true) != words.end();
+/// By language: words of the record that it has.
+std::vector<std::size_t> word_counts(const record::Outcomes& outcomes, std::size_t languages) {
+  std::vector<std::size_t> of_outcome(outcomes.members.size()), counts(languages);
+  for (const std::uint32_t outcome : outcomes.of_word) ++of_outcome[outcome];
+  for (std::size_t outcome = 0; outcome < of_outcome.size(); ++outcome)
+    for (std::size_t language = 0; language < languages; ++language)
+      if (outcomes.members[outcome][language]) counts[language] += of_outcome[outcome];
+  return counts;
 }
 
-std::vector<bool> without(std::vector<bool> words, const std::vector<bool>& others) {
-  for (std::size_t w = 0; w < words.size(); ++w) words[w] = words[w] && !others[w];
-  return words;
+/// Takes what a folded record does not know of a class out of it.
+void set_undecided(const record::Record& record, const report::Energies& energies, taxonomy::GlossyRule rule,
+                   ClassOfRecord& item, report::GroupEnergy& group) {
+  report::Members members = report::members_of(record, item.grammar.language, rule);
+  if (members.is_exact()) return;
+  group = energies.of_members(members);
+  item.members = std::move(members.certain);
+  item.undecided = std::move(members.undecided);
+  item.words = static_cast<std::size_t>(std::count(item.members.begin(), item.members.end(), true));
 }
 
 }  // namespace
@@ -41,32 +54,32 @@ std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::v
   std::vector<std::vector<bool>> members = record::sets_of(outcomes, languages.size());
   const report::Energies energies(record, confidence);
   const std::vector<report::GroupEnergy> groups = energies.of_outcomes(outcomes, languages.size());
+  const std::vector<std::size_t> words = word_counts(outcomes, languages.size());
+  const std::optional<taxonomy::Conditions> conditions = conditions_of(record);
   std::vector<ClassOfRecord> classes;
   for (std::size_t i = 0; i < grammars.size(); ++i) {
     ClassOfRecord item;
     item.grammar = grammars[i];
     item.members = std::move(members[i]);
     report::GroupEnergy group = groups[i];
-    if (std::vector<bool> undecided = record::undecided(record, languages[i], rule); contains_any(undecided)) {
-      item.members = without(item.members, undecided);
-      group = energies.between(item.members, undecided);
-      item.undecided = std::move(undecided);
-    }
+    item.words = words[i];
+    if (record.folding) set_undecided(record, energies, rule, item, group);
     item.energy = group.energy;
     item.share = group.share;
     item.count = group.count;
-    item.words = static_cast<std::size_t>(std::count(item.members.begin(), item.members.end(), true));
-    if (item.words == 0 && item.undecided.empty()) item.never = never_text(item.grammar, rule, record);
+    if (item.words == 0 && item.undecided.empty()) item.never = never_in_record(item.grammar, rule, conditions);
     classes.push_back(std::move(item));
   }
   return classes;
 }
 
-std::vector<record::Image> images_of(const record::Record& record, const std::vector<ClassOfRecord>& classes) {
+std::vector<record::Image> images_of(const record::Record& record, const record::Rows& rows,
+                                     const std::vector<ClassOfRecord>& classes) {
   std::vector<std::vector<bool>> sets;
-  sets.reserve(classes.size());
+  sets.reserve(classes.size() + 1);
   for (const ClassOfRecord& item : classes) sets.push_back(item.members);
-  return record::images_of(record, sets);
+  sets.emplace_back(record.words.size(), true);
+  return record::images_of(record, rows, sets);
 }
 
 std::vector<record::Layer> layers_of(std::span<const record::Image> images, const std::vector<ClassOfRecord>& classes,
@@ -89,16 +102,21 @@ std::vector<record::Layer> layers_of(std::span<const record::Image> images, cons
   return layers;
 }
 
-void add_undecided_layers(const record::Record& record, const std::vector<ClassOfRecord>& classes,
-                          std::vector<record::Layer>& layers) {
+void add_undecided_layers(const record::Record& record, const record::Rows& rows,
+                          const std::vector<ClassOfRecord>& classes, std::vector<record::Layer>& layers) {
+  std::vector<std::vector<bool>> sets;
+  for (const ClassOfRecord& item : classes)
+    if (!item.undecided.empty()) sets.push_back(item.undecided);
+  if (sets.empty()) return;
+  std::vector<record::Image> images = record::images_of(record, rows, sets);
   std::vector<std::string> taken;
   for (const record::Layer& layer : layers) taken.push_back(layer.name);
+  auto image = images.begin();
   for (const ClassOfRecord& item : classes) {
     if (item.undecided.empty()) continue;
     taken.push_back(record::layer_name(item.grammar.name + "_undecided", taken));
-    layers.push_back({taken.back(),
-                      record::image_of(record, item.undecided),
-                      {{"note", "folded words that may be in '" + item.grammar.name + "'"}}});
+    layers.push_back(
+        {taken.back(), std::move(*image++), {{"note", "folded words that may be in '" + item.grammar.name + "'"}}});
   }
 }
 
@@ -112,15 +130,16 @@ std::vector<std::string> renamed(const std::vector<record::Layer>& layers) {
   return sentences;
 }
 
-record::Attachment cryptomatte_of(const record::Record& record, const std::vector<ClassOfRecord>& classes) {
-  if (classes.empty()) return report::cryptomatte(record, report::classes_by_word(record));
+record::Attachment cryptomatte_of(const record::Record& record, const record::Rows& rows,
+                                  const std::vector<ClassOfRecord>& classes) {
+  if (classes.empty()) return report::cryptomatte(record.info.window, rows, report::classes_by_word(record));
   std::vector<std::string> names;
   std::vector<std::vector<bool>> members;
   for (const ClassOfRecord& item : classes) {
     names.push_back(item.grammar.name);
     members.push_back(item.members);
   }
-  return report::cryptomatte(record, report::classes_by_set(std::move(names), members));
+  return report::cryptomatte(record.info.window, rows, report::classes_by_set(std::move(names), members));
 }
 
 void add_non_path_layers(const record::Record& record, std::vector<record::Layer>& layers) {

@@ -9,6 +9,7 @@
 
 #include <heckbert/record/file.h>
 #include <heckbert/record/record.h>
+#include <heckbert/record/rows.h>
 #include <heckbert/record/statistics.h>
 #include <heckbert/report/json_parts.h>
 #include <heckbert/report/text_table.h>
@@ -33,8 +34,10 @@ struct ClassOfRecord {
 std::vector<ClassOfRecord> classes_of(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                                       taxonomy::GlossyRule rule, double confidence);
 
-/// The picture of each class.
-std::vector<record::Image> images_of(const record::Record& record, const std::vector<ClassOfRecord>& classes);
+/// The picture of each class, and behind them that of all words. Here and below `rows` shows the pixels of a record
+/// that need not have any.
+std::vector<record::Image> images_of(const record::Record& record, const record::Rows& rows,
+                                     const std::vector<ClassOfRecord>& classes);
 
 /// One layer per class, of its picture; names are made legal and distinct, attributes say the expression as it was
 /// typed, its dialect, its canonical form and the rule for G. With `first_unnamed` the first class becomes the
@@ -43,14 +46,15 @@ std::vector<record::Layer> layers_of(std::span<const record::Image> images, cons
                                      taxonomy::GlossyRule rule, bool first_unnamed = false);
 
 /// For each class that a folded record cannot decide, a layer "NAME_undecided": what may be in it besides.
-void add_undecided_layers(const record::Record& record, const std::vector<ClassOfRecord>& classes,
-                          std::vector<record::Layer>& layers);
+void add_undecided_layers(const record::Record& record, const record::Rows& rows,
+                          const std::vector<ClassOfRecord>& classes, std::vector<record::Layer>& layers);
 
 /// What happened to names that had to be changed, in sentences: "the layer of 'LS+DE' is called LS_DE".
 std::vector<std::string> renamed(const std::vector<record::Layer>& layers);
 
 /// The classes as a Cryptomatte, the first that has a word owning it; without classes every word is one.
-record::Attachment cryptomatte_of(const record::Record& record, const std::vector<ClassOfRecord>& classes);
+record::Attachment cryptomatte_of(const record::Record& record, const record::Rows& rows,
+                                  const std::vector<ClassOfRecord>& classes);
 
 /// Light that no path carries, as far as the record has it: layers "ambient" and "phantom". It is not in the picture.
 void add_non_path_layers(const record::Record& record, std::vector<record::Layer>& layers);

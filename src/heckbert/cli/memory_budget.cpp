@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint64_t kProgramBytes = 48 << 20;  ///< with a scene of some size and what threads hold
 constexpr std::uint64_t kPixelBytes = 24;
 constexpr std::uint64_t kPictureBytes = 24;  ///< by pixel, of each class and of the whole
+constexpr std::uint64_t kMatteBytes = 64;    ///< by pixel, of a Cryptomatte
 constexpr std::uint64_t kWordBytes = 3072;   ///< most of them when the file is written
 
 void add_distinct(std::vector<taxonomy::Language>& languages, taxonomy::Language language) {
@@ -25,7 +26,7 @@ void add_distinct(std::vector<taxonomy::Language>& languages, taxonomy::Language
 }  // namespace
 
 record::FoldRule fold_rule(std::uint64_t bytes, const record::RenderInfo& info,
-                           const std::vector<taxonomy::Grammar>& declared) {
+                           const std::vector<taxonomy::Grammar>& declared, bool with_cryptomatte) {
   record::FoldRule rule;
   for (const taxonomy::Grammar& grammar : declared) {
     taxonomy::Language finest = taxonomy::apply(info.glossy, grammar.language);
@@ -36,8 +37,9 @@ record::FoldRule fold_rule(std::uint64_t bytes, const record::RenderInfo& info,
   for (const taxonomy::Grammar& grammar : taxonomy::builtin_grammars().grammars)
     if (taxonomy::has_language(grammar)) add_distinct(rule.exact, taxonomy::apply(info.glossy, grammar.language));
 
-  const std::uint64_t fixed =
-      kProgramBytes + info.window.pixel_count() * (kPixelBytes + kPictureBytes * (1 + declared.size()));
+  const std::uint64_t by_pixel =
+      kPixelBytes + kPictureBytes * (1 + declared.size()) + (with_cryptomatte ? kMatteBytes : 0);
+  const std::uint64_t fixed = kProgramBytes + info.window.pixel_count() * by_pixel;
   if (bytes < fixed + kWordBytes)
     throw UsageError(fmt::format("--memory: a picture of this size and {} classes take {} MiB before any word is kept",
                                  declared.size(), (fixed >> 20) + 1));

@@ -11,9 +11,9 @@
 
 namespace heckbert::cli {
 
-/// For a render with these expressions besides the built-in grammars. Errors: UsageError when not even the pixels find
-/// room in `bytes`, and for an expression that is too long to be written into a record.
+/// For a render with these expressions besides the built-in grammars, and perhaps a Cryptomatte. Errors: UsageError
+/// when not even the pixels find room in `bytes`, and for an expression that is too long to be written into a record.
 record::FoldRule fold_rule(std::uint64_t bytes, const record::RenderInfo& info,
-                           const std::vector<taxonomy::Grammar>& declared);
+                           const std::vector<taxonomy::Grammar>& declared, bool with_cryptomatte);
 
 }  // namespace heckbert::cli

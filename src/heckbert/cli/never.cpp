@@ -33,7 +33,14 @@ std::string text_of(const Grammar& grammar, GlossyRule rule, const Conditions& c
   return fmt::format("'{}' {}, because {}", grammar.name, place, *reason);
 }
 
-Conditions conditions_of(const record::Record& record) {
+}  // namespace
+
+std::string never_text(const Grammar& grammar, GlossyRule rule, const Conditions& conditions) {
+  return text_of(grammar, rule, conditions, "can never match");
+}
+
+std::optional<Conditions> conditions_of(const record::Record& record) {
+  if (record.words.empty()) return {};
   unsigned seen = 0;
   std::size_t longest = static_cast<std::size_t>(record.info.max_depth);
   for (const taxonomy::Word& word : record.words) {
@@ -41,21 +48,15 @@ Conditions conditions_of(const record::Record& record) {
     for (const taxonomy::Symbol event : word.events) seen |= taxonomy::single(event);
     longest = std::max(longest, word.length());
   }
-  return {.lights = static_cast<taxonomy::SymbolSet>(seen & taxonomy::kLights),
-          .events = static_cast<taxonomy::SymbolSet>(seen & taxonomy::kEvents),
-          .eyes = static_cast<taxonomy::SymbolSet>(seen & taxonomy::kEyes),
-          .max_length = longest};
+  return Conditions{.lights = static_cast<taxonomy::SymbolSet>(seen & taxonomy::kLights),
+                    .events = static_cast<taxonomy::SymbolSet>(seen & taxonomy::kEvents),
+                    .eyes = static_cast<taxonomy::SymbolSet>(seen & taxonomy::kEyes),
+                    .max_length = longest};
 }
 
-}  // namespace
-
-std::string never_text(const Grammar& grammar, GlossyRule rule, const Conditions& conditions) {
-  return text_of(grammar, rule, conditions, "can never match");
-}
-
-std::string never_text(const Grammar& grammar, GlossyRule rule, const record::Record& record) {
-  if (record.words.empty()) return never_text(grammar, rule);
-  return text_of(grammar, rule, conditions_of(record), "matches nothing in this record");
+std::string never_in_record(const Grammar& grammar, GlossyRule rule, const std::optional<Conditions>& conditions) {
+  if (!conditions) return never_text(grammar, rule);
+  return text_of(grammar, rule, *conditions, "matches nothing in this record");
 }
 
 }  // namespace heckbert::cli

@@ -1,6 +1,7 @@
 #pragma once
 // "'LSE' can never match, because ...": said by every command whose answer is emptier than its user expects.
 
+#include <optional>
 #include <string>
 
 #include <heckbert/record/record.h>
@@ -14,7 +15,11 @@ namespace heckbert::cli {
 std::string never_text(const taxonomy::Grammar& grammar, taxonomy::GlossyRule rule,
                        const taxonomy::Conditions& conditions = {});
 
-/// As never_text for the lights, eyes and events that occur in a record, and for the depth it was rendered to.
-std::string never_text(const taxonomy::Grammar& grammar, taxonomy::GlossyRule rule, const record::Record& record);
+/// The lights, eyes and events that occur in a record, and the depth it was rendered to; nothing of one without words.
+/// O(words).
+std::optional<taxonomy::Conditions> conditions_of(const record::Record& record);
+/// As never_text for a record of these conditions.
+std::string never_in_record(const taxonomy::Grammar& grammar, taxonomy::GlossyRule rule,
+                            const std::optional<taxonomy::Conditions>& conditions);
 
 }  // namespace heckbert::cli

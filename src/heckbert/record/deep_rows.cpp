@@ -1,7 +1,6 @@
 #include <heckbert/record/deep_rows.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include <heckbert/record/deep_chunk.h>
 #include <heckbert/record/exr.h>
@@ -77,25 +76,31 @@ void write_deep(Imf::DeepScanLineOutputPart part, const Window& window, const De
   }
 }
 
-std::vector<unsigned> read_deep(Imf::DeepScanLineInputPart part, const DeepLayout& layout,
-                                const std::function<char*(std::size_t)>& allocate) {
+std::vector<std::size_t> read_offsets(Imf::DeepScanLineInputPart part) {
   const Window window = window_of(part.header().dataWindow());
   std::vector<unsigned> counts(window.pixel_count());
   Imf::DeepFrameBuffer frame;
   frame.insertSampleCountSlice(count_slice(counts.data(), window));
   part.setFrameBuffer(frame);
   part.readPixelSampleCounts(window.y0, window.y1 - 1);
-  std::vector<std::size_t> first_of_row{0};
-  for (auto row = counts.begin(); row != counts.end(); row += window.width())
-    first_of_row.push_back(std::accumulate(row, row + window.width(), first_of_row.back()));
-  char* const structs = allocate(first_of_row.back());
-  in_parallel(first_of_row.size() - 1, [&] {
+  std::vector<std::size_t> offsets(counts.size() + 1);
+  for (std::size_t i = 0; i < counts.size(); ++i) offsets[i + 1] = offsets[i] + counts[i];
+  return offsets;
+}
+
+std::vector<std::size_t> read_deep(Imf::DeepScanLineInputPart part, const DeepLayout& layout,
+                                   const std::function<char*(std::size_t)>& allocate) {
+  const Window window = window_of(part.header().dataWindow());
+  const auto width = static_cast<std::size_t>(window.width());
+  std::vector<std::size_t> offsets = read_offsets(part);
+  char* const structs = allocate(offsets.back());
+  in_parallel(static_cast<std::size_t>(window.height()), [&] {
     return [&, reader = DeepRowReader(part, layout)](std::size_t row) mutable {
-      reader.read(window.y0 + static_cast<int>(row), first_of_row[row + 1] - first_of_row[row],
-                  structs + first_of_row[row] * layout.bytes);
+      const std::size_t first = offsets[row * width], last = offsets[(row + 1) * width];
+      reader.read(window.y0 + static_cast<int>(row), last - first, structs + first * layout.bytes);
     };
   });
-  return counts;
+  return offsets;
 }
 
 }  // namespace heckbert::record::exr

@@ -44,10 +44,13 @@ struct DeepBand {
 void write_deep(Imf::DeepScanLineOutputPart part, const Window& window, const DeepLayout& layout, ZeroChannels zeros,
                 const std::function<void(DeepBand&)>& fill);
 
+/// Pixel i, row by row, has the samples [offsets[i], offsets[i+1]). Errors: std::runtime_error with the reason.
+std::vector<std::size_t> read_offsets(Imf::DeepScanLineInputPart part);
+
 /// Reads all pixels of the part's data window into structs, pixel by pixel; halves become floats where the layout says
-/// so. `allocate` is told how many structs there are and gives the place for them, or throws. Gives the number of
-/// samples by pixel, row by row. Errors: std::runtime_error with the reason.
-std::vector<unsigned> read_deep(Imf::DeepScanLineInputPart part, const DeepLayout& layout,
-                                const std::function<char*(std::size_t)>& allocate);
+/// so. `allocate` is told how many structs there are and gives the place for them, or throws. Gives the offsets.
+/// Errors: std::runtime_error with the reason.
+std::vector<std::size_t> read_deep(Imf::DeepScanLineInputPart part, const DeepLayout& layout,
+                                   const std::function<char*(std::size_t)>& allocate);
 
 }  // namespace heckbert::record::exr

@@ -87,12 +87,15 @@ auto reading(const std::filesystem::path& path, F read) {
   throw ReadError(fmt::format("cannot read '{}': {}", path.string(), reason));
 }
 
-/// Runs `write`; whatever it throws, save a WriteError, becomes a WriteError naming the file.
+/// Runs `write`; whatever it throws, save a WriteError and a ReadError of what it copies, becomes a WriteError naming
+/// the file.
 template <class F>
 void writing(const std::filesystem::path& path, F write) {
   try {
     write();
   } catch (const WriteError&) {
+    throw;
+  } catch (const ReadError&) {
     throw;
   } catch (const std::exception& error) {
     throw WriteError(fmt::format("cannot write '{}': {}", path.string(), error.what()));

@@ -14,12 +14,15 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <heckbert/record/record.h>
+#include <heckbert/record/rows.h>
 #include <heckbert/record/sums.h>
+#include <heckbert/record/sums_stream.h>
 
 namespace heckbert::record {
 
@@ -32,12 +35,43 @@ Record read_record(const std::filesystem::path& path);
 /// the picture as a whole, at a fraction of the cost.
 Record read_record_totals(const std::filesystem::path& path);
 
+/// A record whose pixels stay in the file, to be looked at row by row: for questions to all pixels that need each only
+/// once. Memory: what totals() has, eight bytes per pixel, and a row per thread.
+class RecordFile {
+ public:
+  /// Errors: ReadError.
+  explicit RecordFile(const std::filesystem::path& path);
+  RecordFile(RecordFile&&) noexcept;
+  RecordFile& operator=(RecordFile&&) noexcept;
+  ~RecordFile();
+
+  /// All but offsets and entries.
+  const Record& totals() const;
+  /// With them. Errors: ReadError.
+  Record whole() const;
+  /// See Rows. Errors: ReadError, also for what the visitor throws; a damaged file may show some of its rows first.
+  void visit_rows(const RowVisitor& visit) const;
+
+ private:
+  struct Open;
+  std::unique_ptr<Open> open_;
+};
+/// The file must outlive them.
+Rows rows_of(const RecordFile& file);
+
 /// A record that keeps its sums, in parts of their own ("sums", "samples", "batches"; see sums_parts.h): some 15 bytes
-/// more for each pair of pixel and word. read_record() reads its means, read_sums() what can be added to.
-/// Errors: WriteError.
+/// more for each pair of pixel and word. read_record() reads its means, read_sums() what can be added to. A stream is
+/// gone through twice. Errors: WriteError; those of a stream.
 void write_sums(const Sums& sums, const std::filesystem::path& path);
+void write_sums(const SumsStream& sums, const std::filesystem::path& path);
+/// The means of a stream, in the precision that its info says, as write_record() would of a record in memory. It is
+/// gone through once, in half precision twice. Errors: as write_sums().
+void write_record(const SumsStream& sums, const std::filesystem::path& path);
 /// Errors: ReadError, also for a record without sums.
 Sums read_sums(const std::filesystem::path& path);
+/// The same, a band of rows at a time: a pass reads the file again and may find damage, ReadError. The file stays open
+/// as long as the stream is there.
+SumsStream open_sums(const std::filesystem::path& path);
 /// Blender cuts the names of channels at 63 characters, ".R" included.
 inline constexpr std::size_t kLongestLayerName = 60;
 

@@ -54,7 +54,11 @@ class Bytes {
   std::uint64_t left() const { return left_; }
   bool skip(std::uint64_t count) {
     if (count > left_) return false;
-    in_.seekg(static_cast<std::streamoff>(count), std::ios::cur);
+    constexpr std::uint64_t kShort = 4096;  // seeking throws away what the stream has read ahead
+    if (count < kShort)
+      in_.ignore(static_cast<std::streamsize>(count));
+    else
+      in_.seekg(static_cast<std::streamoff>(count), std::ios::cur);
     left_ -= count;
     return in_.good();
   }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <unordered_map>
+#include <utility>
 
+#include <heckbert/record/rows.h>
 #include <heckbert/taxonomy/classifier.h>
 
 namespace heckbert::record {
@@ -107,47 +109,11 @@ Image beauty(const Record& record) {
 }
 
 std::vector<Image> images_of(const Record& record, const std::vector<std::vector<bool>>& sets) {
-  std::vector<std::vector<std::uint32_t>> sets_of(record.words.size());
-  for (std::uint32_t set = 0; set < sets.size(); ++set)
-    for (std::size_t w = 0; w < record.words.size(); ++w)
-      if (sets[set][w]) sets_of[w].push_back(set);
-  const Window& window = record.info.window;
-  std::vector<Image> images(sets.size(), {window, std::vector<Rgb>(window.pixel_count())});
-  std::vector<std::array<double, 3>> sums(sets.size());
-  for (std::size_t i = 0; i < window.pixel_count(); ++i) {
-    std::fill(sums.begin(), sums.end(), std::array<double, 3>{});
-    for (std::size_t e = record.offsets[i]; e < record.offsets[i + 1]; ++e) {
-      const Entry& entry = record.entries[e];
-      const double r = static_cast<double>(entry.energy.r), g = static_cast<double>(entry.energy.g),
-                   b = static_cast<double>(entry.energy.b);
-      for (const std::uint32_t set : sets_of[entry.word]) {
-        sums[set][0] += r;
-        sums[set][1] += g;
-        sums[set][2] += b;
-      }
-    }
-    for (std::size_t set = 0; set < sets.size(); ++set)
-      images[set].pixels[i] = {static_cast<float>(sums[set][0]), static_cast<float>(sums[set][1]),
-                               static_cast<float>(sums[set][2])};
-  }
-  return images;
+  return images_of(record, rows_of(record), sets);
 }
 
 Image image_of(const Record& record, const std::vector<bool>& chosen) {
-  assert(chosen.size() == record.words.size());
-  Image image{record.info.window, std::vector<Rgb>(record.info.window.pixel_count())};
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    double r = 0, g = 0, b = 0;
-    for (std::size_t e = record.offsets[i]; e < record.offsets[i + 1]; ++e) {
-      const Entry& entry = record.entries[e];
-      if (!chosen[entry.word]) continue;
-      r += static_cast<double>(entry.energy.r);
-      g += static_cast<double>(entry.energy.g);
-      b += static_cast<double>(entry.energy.b);
-    }
-    image.pixels[i] = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
-  }
-  return image;
+  return std::move(images_of(record, {chosen}).front());
 }
 
 }  // namespace heckbert::record

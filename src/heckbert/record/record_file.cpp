@@ -70,8 +70,8 @@ std::vector<Rgb> read_non_path(Imf::InputPart part, const Window& window) {
   return pixels;
 }
 
-/// All but the pixels.
-Record read_totals(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
+/// All but what there is by pixel.
+Record read_picture_totals(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
   const Imf::Header& header = file.header(0);
   exr::check_layout(header);
   for (int part = 0; part < file.parts(); ++part)
@@ -81,20 +81,23 @@ Record read_totals(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
   return record;
 }
 
-/// The means, with their pixels.
-Record read_means(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
-  Record record = read_totals(file, file_bytes);
-  exr::read_paths(file, file_bytes, record);
+void read_non_path_parts(Imf::MultiPartInputFile& file, Record& record) {
   for (int number = 1; number < file.parts(); ++number)
     for (const NonPathPart& part : kNonPathParts)
       if (file.header(number).name() == part.name)
         record.*part.buffer = read_non_path(Imf::InputPart(file, number), record.info.window);
+}
+
+}  // namespace
+
+Record exr::read_file_totals(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
+  Record record = read_picture_totals(file, file_bytes);
+  read_non_path_parts(file, record);
   return record;
 }
 
-/// With `sums`, which `record` has the means of, their parts too.
-void write(const Record& record, const std::function<void(exr::DeepBand&)>& fill, const Sums* sums,
-           const std::filesystem::path& path) {
+void exr::write_record_file(const Record& record, const std::function<void(DeepBand&)>& fill, const SumsStream* sums,
+                            const std::filesystem::path& path) {
   exr::writing(path, [&] {
     std::vector<Imf::Header> headers{paths_header(record)};
     if (!record.words.empty()) headers.push_back(exr::words_header(record));
@@ -121,8 +124,7 @@ void write(const Record& record, const std::function<void(exr::DeepBand&)>& fill
   });
 }
 
-/// The record without its pixels, and those band by band.
-void write(const Record& record, const Sums* sums, const std::filesystem::path& path) {
+void write_record(const Record& record, const std::filesystem::path& path) {
   const Precision precision = record.info.precision;
   Record totals{.info = record.info,
                 .tally = record.tally,
@@ -144,31 +146,57 @@ void write(const Record& record, const Sums* sums, const std::filesystem::path& 
         exr::append_entry(band.samples, precision, record.entries[e]);
     }
   };
-  write(totals, fill, sums, path);
+  exr::write_record_file(totals, fill, nullptr, path);
 }
 
-}  // namespace
+struct RecordFile::Open {
+  explicit Open(const std::filesystem::path& p)
+      : path(p), bytes(exr::check_is_exr(path)), file(path.c_str(), exr::threads(), false) {}
 
-void exr::write_record_file(const Record& record, const std::function<void(DeepBand&)>& fill,
-                            const std::filesystem::path& path) {
-  write(record, fill, nullptr, path);
+  std::filesystem::path path;
+  std::uint64_t bytes;
+  Imf::MultiPartInputFile file;
+  Record totals{};
+};
+
+RecordFile::RecordFile(const std::filesystem::path& path) {
+  exr::reading(path, [&] {
+    open_ = std::make_unique<Open>(path);
+    open_->totals = exr::read_file_totals(open_->file, open_->bytes);
+  });
 }
 
-void write_record(const Record& record, const std::filesystem::path& path) {
-  write(record, nullptr, path);
+RecordFile::RecordFile(RecordFile&&) noexcept = default;
+RecordFile& RecordFile::operator=(RecordFile&&) noexcept = default;
+RecordFile::~RecordFile() = default;
+
+const Record& RecordFile::totals() const {
+  return open_->totals;
 }
 
-void write_sums(const Sums& sums, const std::filesystem::path& path) {
-  Record means = record_of(sums);
-  means.info.precision = Precision::Float;  // reading compares them with the sums
-  write(means, &sums, path);
+Record RecordFile::whole() const {
+  return exr::reading(open_->path, [&] {
+    Record record = open_->totals;
+    exr::read_paths(open_->file, open_->bytes, record);
+    return record;
+  });
+}
+
+void RecordFile::visit_rows(const RowVisitor& visit) const {
+  exr::reading(open_->path, [&] { exr::visit_paths(open_->file, open_->bytes, open_->totals, visit); });
+}
+
+Rows rows_of(const RecordFile& file) {
+  return [&file](const RowVisitor& visit) { file.visit_rows(visit); };
 }
 
 Record read_record(const std::filesystem::path& path) {
   return exr::reading(path, [&] {
     const std::uint64_t file_bytes = exr::check_is_exr(path);
     Imf::MultiPartInputFile file(path.c_str(), exr::threads(), false);
-    return read_means(file, file_bytes);
+    Record record = exr::read_file_totals(file, file_bytes);
+    exr::read_paths(file, file_bytes, record);
+    return record;
   });
 }
 
@@ -176,19 +204,7 @@ Record read_record_totals(const std::filesystem::path& path) {
   return exr::reading(path, [&] {
     const std::uint64_t file_bytes = exr::check_is_exr(path);
     Imf::MultiPartInputFile file(path.c_str(), exr::threads(), false);
-    return read_totals(file, file_bytes);
-  });
-}
-
-Sums read_sums(const std::filesystem::path& path) {
-  return exr::reading(path, [&] {
-    const std::uint64_t file_bytes = exr::check_is_exr(path);
-    Imf::MultiPartInputFile file(path.c_str(), exr::threads(), false);
-    const Record record = read_means(file, file_bytes);
-    require(exr::has_sums(file),
-            "this record has means and no sums, so nothing can be added to it exactly; expected one of 'heckbert "
-            "render --exact', --part or --checkpoint, or an interrupted one");
-    return exr::read_sums_parts(file, record);
+    return read_picture_totals(file, file_bytes);
   });
 }
 

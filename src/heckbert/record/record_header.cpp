@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include <fmt/ranges.h>
 
@@ -57,8 +58,29 @@ void check_info(const RenderInfo& info) {
   require(info.samples_per_pixel >= 1, "the number of samples per pixel is not positive");
 }
 
+/// The symbols of a word without labels that is spelled in full; nothing of any other text.
+std::optional<std::vector<taxonomy::Symbol>> symbols_of(std::string_view text) {
+  std::vector<taxonomy::Symbol> symbols;
+  while (!text.empty()) {
+    const char subscript = text.size() > 1 ? text[1] : '\0';
+    const auto found = std::ranges::find_if(taxonomy::kSymbols, [&](const taxonomy::SymbolFacts& facts) {
+      return facts.letter == text[0] && (facts.subscript == 0 || facts.subscript == subscript);
+    });
+    if (found == taxonomy::kSymbols.end()) return {};
+    symbols.push_back(found->symbol);
+    text.remove_prefix(found->subscript == 0 ? 1 : 2);
+  }
+  return symbols;
+}
+
 /// The word that `text` spells in full. Errors: std::runtime_error.
 taxonomy::Word word_from(const std::string& text) {
+  // Nearly all words of nearly all records, in a third of the time that it takes to read what people write.
+  if (const auto symbols = symbols_of(text); symbols && symbols->size() >= 2) {
+    const bool has_events = std::all_of(symbols->begin() + 1, symbols->end() - 1, taxonomy::is_event);
+    if (has_events && taxonomy::is_light(symbols->front()) && taxonomy::is_eye(symbols->back()))
+      return {symbols->front(), {symbols->begin() + 1, symbols->end() - 1}, symbols->back()};
+  }
   taxonomy::Word word;
   try {
     word = taxonomy::parse_word(text);

@@ -42,13 +42,6 @@ std::vector<Rgb> means_of(const std::vector<RgbSum>& sums, const std::vector<std
 /// Reads the entries back, row by row of the window.
 class RecordSpool::RowReader {
  public:
-  /// The entries of one row of a tile, with their words' places.
-  struct Row {
-    int x0;
-    std::span<const std::uint32_t> samples, counts;
-    std::span<const EntrySum> entries;
-  };
-
   /// Errors: std::logic_error when tiles overlap.
   explicit RowReader(const RecordSpool& spool)
       : spool_(spool), rank_(spool.words_->ranks()), rows_(windows_by_row(spool.windows_, spool.info_.window)) {
@@ -56,7 +49,8 @@ class RecordSpool::RowReader {
     for (const Kept& tile : spool.tiles_) next_.push_back(tile.place);
   }
 
-  /// Calls use(row) for each tile that crosses row y, from left to right. Rows come from the top downwards, each once.
+  /// Calls use(x0, counts, entries) for each tile that crosses row y, from left to right, words by their places. Rows
+  /// come from the top downwards, each once.
   template <class F>
   void read(int y, F use) {
     for (const std::size_t t : rows_[static_cast<std::size_t>(y - spool_.info_.window.y0)]) {
@@ -71,7 +65,7 @@ class RecordSpool::RowReader {
       for (EntrySum& entry : entries_) entry.word = rank_[entry.word];
       counts_.assign(counts.begin(), counts.end());
       if (spool_.is_folded()) add_up_classes();
-      use(Row{window.x0, std::span(tile.samples).subspan(first, width), counts_, entries_});
+      use(window.x0, counts_, entries_);
     }
   }
 
@@ -141,51 +135,35 @@ bool RecordSpool::is_folded() const {
   return words_->is_folded();
 }
 
-void RecordSpool::write(const std::filesystem::path& path, bool partial) const {
-  RowReader reader(*this);
-  const auto append = [&](exr::DeepBand& band, int y, const RowReader::Row& row) {
-    const std::size_t first = pixel_of(band.window, row.x0, y);
-    const EntrySum* entry = row.entries.data();
-    for (std::size_t i = 0; i < row.counts.size(); ++i) {
-      band.counts[first + i] = row.counts[i];
-      for (std::uint32_t e = 0; e < row.counts[i]; ++e, ++entry)
-        exr::append_entry(band.samples, info_.precision,
-                          {entry->word, mean_of(entry->sum, row.samples[i]), entry->count});
-    }
-  };
-  exr::write_record_file(
-      totals(partial),
-      [&](exr::DeepBand& band) {
-        band.counts.resize(band.window.pixel_count());
-        for (int y = band.window.y0; y < band.window.y1; ++y)
-          reader.read(y, [&](const RowReader::Row& row) { append(band, y, row); });
-      },
-      path);
+SumsStream RecordSpool::stream(bool partial) const {
+  SumsStream stream{info_, is_folded() ? Tile{} : words_->tile(), [this] {
+                      auto reader = std::make_shared<RowReader>(*this);
+                      return [this, reader](SumsBand& band) { read_band(*reader, band); };
+                    }};
+  stream.info.partial = partial;
+  Tile& totals = stream.totals;
+  totals.window = info_.window;
+  totals.ambient = ambient_;
+  totals.phantom = phantom_;
+  totals.samples.resize(info_.window.pixel_count());
+  for (std::size_t t = 0; t < tiles_.size(); ++t) paste(tiles_[t].samples, windows_[t], info_.window, totals.samples);
+  return stream;
 }
 
-Sums RecordSpool::sums(bool partial) const {
-  Sums sums{info_, words_->tile()};
-  sums.info.partial = partial;
-  Tile& tile = sums.tile;
-  tile.window = info_.window;
-  tile.samples.resize(info_.window.pixel_count());
-  tile.ambient = ambient_;
-  tile.phantom = phantom_;
-  tile.offsets.reserve(info_.window.pixel_count() + 1);
-  tile.offsets.push_back(0);
-  RowReader reader(*this);
-  for (int y = info_.window.y0; y < info_.window.y1; ++y)
-    reader.read(y, [&](const RowReader::Row& row) {
-      std::size_t pixel = pixel_of(info_.window, row.x0, y);
-      tile.offsets.resize(pixel + 1, tile.entries.size());
-      tile.entries.insert(tile.entries.end(), row.entries.begin(), row.entries.end());
-      for (std::size_t i = 0; i < row.counts.size(); ++i, ++pixel) {
-        tile.samples[pixel] = row.samples[i];
-        tile.offsets.push_back(tile.offsets.back() + row.counts[i]);
-      }
+void RecordSpool::read_band(RowReader& reader, SumsBand& band) {
+  band.counts.assign(band.window.pixel_count(), 0);
+  band.entries.clear();
+  for (int y = band.window.y0; y < band.window.y1; ++y)
+    reader.read(y, [&](int x0, std::span<const std::uint32_t> counts, std::span<const EntrySum> entries) {
+      const std::size_t first = pixel_of(band.window, x0, y);
+      std::copy(counts.begin(), counts.end(), band.counts.begin() + static_cast<std::ptrdiff_t>(first));
+      band.entries.insert(band.entries.end(), entries.begin(), entries.end());
     });
-  tile.offsets.resize(info_.window.pixel_count() + 1, tile.entries.size());
-  return sums;
+}
+
+void RecordSpool::write(const std::filesystem::path& path, bool partial) const {
+  const SumsStream sums = stream(partial);
+  exr::write_record_file(totals(partial), exr::means_of_bands(sums, info_.precision), nullptr, path);
 }
 
 }  // namespace heckbert::record

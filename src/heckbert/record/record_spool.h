@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <heckbert/record/recorder.h>
-#include <heckbert/record/sums.h>
+#include <heckbert/record/sums_stream.h>
 
 namespace heckbert::record {
 
@@ -37,8 +37,9 @@ class RecordSpool {
   /// WriteError; std::logic_error when tiles overlap.
   void write(const std::filesystem::path& path, bool partial) const;
   bool is_folded() const;
-  /// All of it, in memory: to be resumed or merged. Takes: a target was given, nothing is folded. Errors: as write().
-  Sums sums(bool partial) const;
+  /// All of it, to be merged or resumed; the spool must outlive it. Takes: a target was given. Where words are folded,
+  /// the totals have neither words nor batches, and nothing can be added. Errors of a pass: as write().
+  SumsStream stream(bool partial) const;
 
  private:
   struct Kept {
@@ -47,6 +48,8 @@ class RecordSpool {
     std::uint64_t place = 0;             ///< of its entries in the temporary file
   };
   class RowReader;
+
+  static void read_band(RowReader& reader, SumsBand& band);
 
   RenderInfo info_;
   std::mutex mutex_;

@@ -125,14 +125,25 @@ Estimate BatchStatistics::share(const BatchSeries& part, const BatchSeries& whol
 Estimate energy(const Record& record, const std::vector<bool>& chosen, double confidence) {
   const BatchSeries values = luminance_by_batch(record, chosen);
   return BatchStatistics(record.info, confidence)
-      .energy(values, values == BatchSeries{} ? mean_contribution(record) : 0);
+      .energy(values, values == BatchSeries{} ? contribution_if_none(record) : 0);
 }
 
-double mean_contribution(const Record& record) {
+double contribution_if_none(const Record& record) {
+  const BatchSeries weights = batch_weights(record.info);
+  double all = 0, once = 0;
+  std::size_t found_once = 0;
+  for (std::size_t w = 0; w < record.words.size(); ++w) {
+    double energy = 0;
+    for (std::size_t b = 0; b < weights.size(); ++b)
+      energy += weights[b] * static_cast<double>(luminance(record.batch_means[w * kBatches + b]));
+    all += energy;
+    if (record.counts[w] != 1) continue;
+    once += energy;
+    ++found_once;
+  }
   const std::uint64_t count = record.tally.contributions();
-  return count > 0 ? static_cast<double>(luminance(mean_colour(record, std::vector<bool>(record.words.size(), true)))) /
-                         static_cast<double>(count)
-                   : 0.0;
+  const double of_all = count > 0 ? all / static_cast<double>(count) : 0.0;
+  return found_once > 0 ? std::max(once / static_cast<double>(found_once), of_all) : of_all;
 }
 
 Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
@@ -154,7 +165,7 @@ Rgb mean_colour(const Record& record, const std::vector<bool>& chosen) {
 Estimate share(const Record& record, const std::vector<bool>& part, const std::vector<bool>& whole, double confidence) {
   return BatchStatistics(record.info, confidence)
       .share(luminance_by_batch(record, part), luminance_by_batch(record, whole), is_subset(part, whole) ? 1 : kNoBound,
-             mean_contribution(record));
+             contribution_if_none(record));
 }
 
 Estimate cut_off(const RenderInfo& info, const Tally& tally, double confidence) {

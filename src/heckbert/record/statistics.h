@@ -3,7 +3,7 @@
 // independent, so the spread of their values gives Student intervals for energies, and of their ratios for shares
 // (batch means: Law and Kelton, "Simulation Modeling and Analysis", 9.5.3), which where few contributions were found
 // become intervals for rare events. What was not found at all may still be there: its upper bound supposes that one
-// contribution would have been as bright as those of the record are on average. Energies are luminance unless said
+// contribution would have been as bright as those of words that were found once. Energies are luminance unless said
 // otherwise.
 
 #include <array>
@@ -47,8 +47,10 @@ class BatchStatistics {
 
 /// Picture-mean luminance of the chosen words, with its interval at `confidence`.
 Estimate energy(const Record& record, const std::vector<bool>& chosen, double confidence = 0.95);
-/// Luminance that a contribution of the record adds to the picture's mean, on average.
-double mean_contribution(const Record& record);
+/// Luminance that a contribution of a word of which none was found would have added to the picture's mean: what was not
+/// seen resembles what was seen once (Good 1953, "The population frequencies of species"), so that is the average over
+/// words with one contribution, and at least the average over all.
+double contribution_if_none(const Record& record);
 /// Picture-mean colour of the chosen words (no interval).
 Rgb mean_colour(const Record& record, const std::vector<bool>& chosen);
 /// Energy of `part` over energy of `whole`, as a ratio estimate. Mean 0 when the whole is dark.

@@ -87,11 +87,6 @@ std::vector<std::string> either(const std::vector<std::string>& a, const std::ve
   return both;
 }
 
-bool is_partial(const Sums& sums) {
-  const auto all = static_cast<std::uint32_t>(sums.info.samples_per_pixel);
-  return std::ranges::any_of(sums.tile.samples, [&](std::uint32_t taken) { return taken < all; });
-}
-
 Tile added(Tile a, Tile b) {
   const Window window = a.window;
   std::vector<Tile> both;
@@ -148,14 +143,33 @@ void add_up_equals(std::vector<EntrySum>& entries, std::size_t first) {
   if (first < entries.size()) entries.resize(last + 1);
 }
 
-Tile added(const Window& window, std::vector<Tile> tiles) {
+bool is_partial(const RenderInfo& info, const Tile& tile) {
+  const auto all = static_cast<std::uint32_t>(info.samples_per_pixel);
+  return std::ranges::any_of(tile.samples, [&](std::uint32_t taken) { return taken < all; });
+}
+
+Tile added_totals(const Window& window, const std::vector<Tile>& tiles,
+                  std::vector<std::vector<std::uint32_t>>& places) {
   Tile sum;
   sum.window = window;
   sum.samples.resize(window.pixel_count());
-  std::vector<std::vector<std::uint32_t>> places;
   sum.words = united_words(tiles, places);
   add_up_batches(sum, tiles, places);
-  for (const Tile& tile : tiles) sum.tally += tile.tally;
+  for (const Tile& tile : tiles) {
+    sum.tally += tile.tally;
+    for (int y = tile.window.y0; y < tile.window.y1; ++y) {
+      const Row row = row_of(tile.window, window, y);
+      for (std::size_t i = 0; i < row.width; ++i) sum.samples[row.to + i] += tile.samples[row.from + i];
+      add_to_row(sum.ambient, tile.ambient, row, window.pixel_count());
+      add_to_row(sum.phantom, tile.phantom, row, window.pixel_count());
+    }
+  }
+  return sum;
+}
+
+Tile added(const Window& window, std::vector<Tile> tiles) {
+  std::vector<std::vector<std::uint32_t>> places;
+  Tile sum = added_totals(window, tiles, places);
 
   std::vector<std::vector<std::size_t>> tiles_of_row(static_cast<std::size_t>(window.height()));
   std::size_t entry_count = 0;
@@ -168,12 +182,6 @@ Tile added(const Window& window, std::vector<Tile> tiles) {
   sum.offsets.reserve(window.pixel_count() + 1);
   for (int y = window.y0; y < window.y1; ++y) {
     const std::vector<std::size_t>& here = tiles_of_row[static_cast<std::size_t>(y - window.y0)];
-    for (const std::size_t t : here) {
-      const Row row = row_of(tiles[t].window, window, y);
-      for (std::size_t i = 0; i < row.width; ++i) sum.samples[row.to + i] += tiles[t].samples[row.from + i];
-      add_to_row(sum.ambient, tiles[t].ambient, row, window.pixel_count());
-      add_to_row(sum.phantom, tiles[t].phantom, row, window.pixel_count());
-    }
     for (int x = window.x0; x < window.x1; ++x) {
       sum.offsets.push_back(sum.entries.size());
       int sources = 0;
@@ -194,15 +202,20 @@ Tile added(const Window& window, std::vector<Tile> tiles) {
   return sum;
 }
 
+RenderInfo info_of_both(const RenderInfo& a, const RenderInfo& b) {
+  check_alike(a, b);
+  RenderInfo info = a;
+  set_samples(info, samples_of_both(a, b));
+  info.scene = std::min(a.scene, b.scene);
+  if (a.glossy != b.glossy) info.glossy = taxonomy::GlossyRule::Keep;
+  info.ignored = either(a.ignored, b.ignored);
+  return info;
+}
+
 Sums merged(Sums a, Sums b) {
-  check_alike(a.info, b.info);
-  RenderInfo info = a.info;
-  set_samples(info, samples_of_both(a.info, b.info));
-  info.scene = std::min(a.info.scene, b.info.scene);
-  if (a.info.glossy != b.info.glossy) info.glossy = taxonomy::GlossyRule::Keep;
-  info.ignored = either(a.info.ignored, b.info.ignored);
+  RenderInfo info = info_of_both(a.info, b.info);
   Sums sums{std::move(info), added(std::move(a.tile), std::move(b.tile))};
-  sums.info.partial = is_partial(sums);
+  sums.info.partial = is_partial(sums.info, sums.tile);
   return sums;
 }
 
@@ -210,7 +223,7 @@ Sums completed(Sums begun, std::vector<Tile> rest) {
   const Window window = begun.info.window;
   rest.push_back(std::move(begun.tile));
   Sums sums{std::move(begun.info), added(window, std::move(rest))};
-  sums.info.partial = is_partial(sums);
+  sums.info.partial = is_partial(sums.info, sums.tile);
   return sums;
 }
 

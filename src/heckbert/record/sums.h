@@ -36,7 +36,17 @@ std::vector<SampleRange> samples_of_both(const RenderInfo& a, const RenderInfo& 
 /// Errors: std::overflow_error, see added_counts().
 Tile added(const Window& window, std::vector<Tile> tiles);
 
-/// All samples of both. Errors: MergeError when they are not alike or have samples in common.
+/// What all samples of both are of, but for whether that is partial. Errors: MergeError when they are not alike or have
+/// samples in common.
+RenderInfo info_of_both(const RenderInfo& a, const RenderInfo& b);
+/// The sum of tiles of one window, without offsets and entries, which `tiles` need not have. `places` gets, for each
+/// tile and each of its words, the place among all words.
+Tile added_totals(const Window& window, const std::vector<Tile>& tiles,
+                  std::vector<std::vector<std::uint32_t>>& places);
+/// Whether a pixel has less samples than the render.
+bool is_partial(const RenderInfo& info, const Tile& tile);
+
+/// All samples of both. Errors: as info_of_both().
 Sums merged(Sums a, Sums b);
 
 /// The finished part of a render and the tiles of its remainder, as one.

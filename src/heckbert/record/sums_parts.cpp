@@ -1,22 +1,22 @@
 #include <heckbert/record/sums_parts.h>
 
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfDeepFrameBuffer.h>
 #include <OpenEXR/ImfDeepScanLineInputPart.h>
 #include <OpenEXR/ImfDeepScanLineOutputPart.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
 #include <heckbert/record/exr.h>
+#include <heckbert/record/record_header.h>
 
 namespace heckbert::record::exr {
 
@@ -93,122 +93,122 @@ std::optional<int> find_part(const Imf::MultiPartInputFile& file, const std::str
   return {};
 }
 
+Imf::InputPart flat_part(Imf::MultiPartInputFile& file, const char* name, const Window& window) {
+  const auto part = find_part(file, name);
+  require(part.has_value(), fmt::format("the part '{}' is missing", name));
+  require(window_of(file.header(*part).dataWindow()) == window,
+          fmt::format("the part '{}' has another data window", name));
+  return {file, *part};
+}
+
 template <class T>
 std::vector<T> read_flat(Imf::MultiPartInputFile& file, const char* name, const Window& window,
                          const std::vector<Channel>& channels) {
-  const auto part = find_part(file, name);
-  if (!part) throw std::runtime_error(fmt::format("the part '{}' is missing", name));
-  if (window_of(file.header(*part).dataWindow()) != window)
-    throw std::runtime_error(fmt::format("the part '{}' has another data window", name));
+  Imf::InputPart input = flat_part(file, name, window);
   std::vector<T> pixels(window.pixel_count());
-  Imf::InputPart input(file, *part);
   input.setFrameBuffer(frame_of(pixels.data(), window, channels));
   input.readPixels(window.y0, window.y1 - 1);
   return pixels;
 }
 
-/// Lets OpenEXR write from and read into the sums of entries in place, as EntryFrame of record_file.cpp does for means.
-struct SumsFrame {
-  SumsFrame(const EntrySum* entries, const std::vector<std::size_t>& offsets, const Window& window)
-      : counts(window.pixel_count()) {
-    const auto width = static_cast<std::size_t>(window.width());
-    const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(window.y0) * window.width() + window.x0;
-    const auto base = [&](auto& values) {
-      return reinterpret_cast<char*>(values.data()) - before * static_cast<std::ptrdiff_t>(sizeof(values[0]));
-    };
-    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = static_cast<unsigned>(offsets[i + 1] - offsets[i]);
-    buffer.insertSampleCountSlice({Imf::UINT, base(counts), sizeof(unsigned), sizeof(unsigned) * width});
-    for (const Channel& channel : sum_channels(offsetof(EntrySum, sum))) {
-      std::vector<const char*>& first = first_values.emplace_back(window.pixel_count());
-      for (std::size_t i = 0; i < counts.size(); ++i)
-        first[i] = counts[i] == 0 ? nullptr : reinterpret_cast<const char*>(entries + offsets[i]) + channel.offset;
-      buffer.insert(channel.name, {Imf::UINT, base(first), sizeof(char*), sizeof(char*) * width, sizeof(EntrySum)});
-    }
+constexpr auto kEntrySumChannels = [] {
+  constexpr std::array<const char*, 12> kNames{"R0", "R1", "R2", "R3", "G0", "G1", "G2", "G3", "B0", "B1", "B2", "B3"};
+  std::array<DeepChannel, kNames.size()> channels{};
+  for (std::size_t i = 0; i < kNames.size(); ++i) channels[i] = {kNames[i], Imf::UINT, offsetof(EntrySum, sum) + 4 * i};
+  return channels;
+}();
+
+/// Words whose batches are laid out at a time.
+constexpr int kWordsAtOnce = 1024;
+
+void write_batches(Imf::MultiPartOutputFile& file, int part, const Tile& tile) {
+  Imf::OutputPart output(file, part);
+  const Window all = batches_window(tile.words.size());
+  auto next = tile.batch_sums.begin();
+  for (int y = 0; y < all.y1; y += kWordsAtOnce) {
+    const Window rows{0, y, kBatches, std::min(y + kWordsAtOnce, all.y1)};
+    std::vector<BatchSum> batches(rows.pixel_count());
+    for (; next != tile.batch_sums.end() && next->word < static_cast<std::uint32_t>(rows.y1); ++next)
+      batches[(next->word - static_cast<std::size_t>(y)) * kBatches + next->batch] = *next;
+    output.setFrameBuffer(frame_of(batches.data(), rows, batch_channels()));
+    output.writePixels(rows.height());
   }
-
-  std::vector<unsigned> counts;  // by pixel
-  std::vector<std::vector<const char*>> first_values;
-  Imf::DeepFrameBuffer buffer;
-};
-
-void read_entry_sums(Imf::MultiPartInputFile& file, Tile& tile) {
-  Imf::DeepScanLineInputPart input(file, *find_part(file, kSumsPart));
-  if (window_of(input.header().dataWindow()) != tile.window)
-    throw std::runtime_error(fmt::format("the part '{}' has another data window", kSumsPart));
-  SumsFrame frame(tile.entries.data(), tile.offsets, tile.window);
-  const std::vector<unsigned> wanted = frame.counts;
-  input.setFrameBuffer(frame.buffer);
-  input.readPixelSampleCounts(tile.window.y0, tile.window.y1 - 1);
-  if (frame.counts != wanted)
-    throw std::runtime_error(fmt::format("the part '{}' has other words than the part 'paths'", kSumsPart));
-  input.readPixels(tile.window.y0, tile.window.y1 - 1);
 }
 
-/// Throws unless the means of the file are those of its sums: a cheap way to see that the two belong together.
-void check_means(const Sums& sums, const Record& record) {
-  if (record_of(sums) != record) throw std::runtime_error("the sums are not those of the means");
+void read_batches(Imf::MultiPartInputFile& file, Tile& tile) {
+  const Window all = batches_window(tile.words.size());
+  Imf::InputPart input = flat_part(file, kBatchesPart, all);
+  for (int y = 0; y < all.y1; y += kWordsAtOnce) {
+    const Window rows{0, y, kBatches, std::min(y + kWordsAtOnce, all.y1)};
+    std::vector<BatchSum> batches(rows.pixel_count());
+    input.setFrameBuffer(frame_of(batches.data(), rows, batch_channels()));
+    input.readPixels(rows.y0, rows.y1 - 1);
+    for (std::size_t i = 0; i < batches.size(); ++i)
+      if (const BatchSum& batch = batches[i]; batch.count > 0)
+        tile.batch_sums.push_back({static_cast<std::uint32_t>(static_cast<std::size_t>(y) + i / kBatches),
+                                   static_cast<std::uint32_t>(i % kBatches), batch.count, batch.sum});
+  }
 }
 
 }  // namespace
 
-std::vector<Imf::Header> sums_headers(const Sums& sums) {
-  const auto flat = [&](const char* name, const Window& window, const std::vector<Channel>& channels) {
-    return header_of(sums.info, name, Imf::SCANLINEIMAGE, window, channels);
+DeepLayout entry_sums_layout() {
+  return {kEntrySumChannels, sizeof(EntrySum)};
+}
+
+std::vector<Imf::Header> sums_headers(const SumsStream& sums) {
+  const Window& window = sums.info.window;
+  const auto flat = [&](const char* name, const Window& of, const std::vector<Channel>& channels) {
+    return header_of(sums.info, name, Imf::SCANLINEIMAGE, of, channels);
   };
-  std::vector<Imf::Header> headers{
-      header_of(sums.info, kSumsPart, Imf::DEEPSCANLINE, sums.info.window, sum_channels(0)),
-      flat(kSamplesPart, sums.info.window, {{"samples", 0}}),
-      flat(kBatchesPart, batches_window(sums.tile.words.size()), batch_channels())};
+  std::vector<Imf::Header> headers{header_of(sums.info, kSumsPart, Imf::DEEPSCANLINE, window, sum_channels(0)),
+                                   flat(kSamplesPart, window, {{"samples", 0}}),
+                                   flat(kBatchesPart, batches_window(sums.totals.words.size()), batch_channels())};
   for (const NonPathPart& part : kNonPathParts)
-    if (!(sums.tile.*part.buffer).empty()) headers.push_back(flat(part.name, sums.info.window, sum_channels(0)));
+    if (!(sums.totals.*part.buffer).empty()) headers.push_back(flat(part.name, window, sum_channels(0)));
   return headers;
 }
 
-void write_sums_parts(Imf::MultiPartOutputFile& file, int first, const Sums& sums) {
-  const Tile& tile = sums.tile;
+void write_sums_parts(Imf::MultiPartOutputFile& file, int first, const SumsStream& sums) {
+  const Tile& totals = sums.totals;
   const Window& window = sums.info.window;
-  SumsFrame frame(tile.entries.data(), tile.offsets, window);
-  Imf::DeepScanLineOutputPart output(file, first);
-  output.setFrameBuffer(frame.buffer);
-  output.writePixels(window.height());
-
-  write_flat(file, first + 1, tile.samples, window, {{"samples", 0}});
-  const Window rows = batches_window(tile.words.size());
-  std::vector<BatchSum> batches(rows.pixel_count());
-  for (const BatchSum& sum : tile.batch_sums) batches[std::size_t{sum.word} * kBatches + sum.batch] = sum;
-  write_flat(file, first + 2, batches, rows, batch_channels());
+  write_deep(Imf::DeepScanLineOutputPart(file, first), window, entry_sums_layout(), {},
+             [pass = sums.begin(), rows = SumsBand()](DeepBand& band) mutable {
+               rows.window = band.window;
+               pass(rows);
+               band.counts.assign(rows.counts.begin(), rows.counts.end());
+               const char* bytes = reinterpret_cast<const char*>(rows.entries.data());
+               band.samples.assign(bytes, bytes + rows.entries.size() * sizeof(EntrySum));
+             });
+  write_flat(file, first + 1, totals.samples, window, {{"samples", 0}});
+  write_batches(file, first + 2, totals);
   int part = first + 3;
   for (const NonPathPart& non_path : kNonPathParts)
-    if (const auto& pixels = tile.*non_path.buffer; !pixels.empty())
+    if (const auto& pixels = totals.*non_path.buffer; !pixels.empty())
       write_flat(file, part++, pixels, window, sum_channels(0));
 }
 
-bool has_sums(const Imf::MultiPartInputFile& file) {
-  return find_part(file, kSumsPart).has_value();
+Imf::DeepScanLineInputPart sums_part(Imf::MultiPartInputFile& file) {
+  const auto part = find_part(file, kSumsPart);
+  require(part.has_value(),
+          "this record has means and no sums, so nothing can be added to it exactly; expected one of 'heckbert "
+          "render --exact', --part or --checkpoint, or an interrupted one");
+  require(window_of(file.header(*part).dataWindow()) == window_of(file.header(0).dataWindow()),
+          fmt::format("the part '{}' has another data window", kSumsPart));
+  return {file, *part};
 }
 
-Sums read_sums_parts(Imf::MultiPartInputFile& file, const Record& record) {
-  const Window& window = record.info.window;
-  Sums sums{record.info, {}};
-  Tile& tile = sums.tile;
+Tile read_sums_totals(Imf::MultiPartInputFile& file, const Record& totals) {
+  const Window& window = totals.info.window;
+  Tile tile;
   tile.window = window;
-  tile.words = record.words;
-  tile.offsets = record.offsets;
-  tile.tally = record.tally;
-  tile.entries.reserve(record.entries.size());
-  for (const Entry& entry : record.entries) tile.entries.push_back({entry.word, entry.count, {}});
-  read_entry_sums(file, tile);
+  tile.words = totals.words;
+  tile.tally = totals.tally;
   tile.samples = read_flat<std::uint32_t>(file, kSamplesPart, window, {{"samples", 0}});
-  const Window rows = batches_window(tile.words.size());
-  const auto batches = read_flat<BatchSum>(file, kBatchesPart, rows, batch_channels());
-  for (std::uint32_t w = 0; w < tile.words.size(); ++w)
-    for (std::uint32_t b = 0; b < kBatches; ++b)
-      if (const BatchSum& batch = batches[std::size_t{w} * kBatches + b]; batch.count > 0)
-        tile.batch_sums.push_back({w, b, batch.count, batch.sum});
+  read_batches(file, tile);
   for (const NonPathPart& part : kNonPathParts)
     if (find_part(file, part.name)) tile.*part.buffer = read_flat<RgbSum>(file, part.name, window, sum_channels(0));
-  check_means(sums, record);
-  return sums;
+  return tile;
 }
 
 }  // namespace heckbert::record::exr

@@ -7,25 +7,28 @@
 //   batches         flat: a row per word, a column per batch; paths as count0 and count1, sums as above
 //   ambient sums, phantom sums    flat, where there is any
 
+#include <OpenEXR/ImfDeepScanLineInputPart.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
 
-#include <cstdint>
 #include <vector>
 
-#include <heckbert/record/sums.h>
+#include <heckbert/record/deep_rows.h>
+#include <heckbert/record/sums_stream.h>
 
 namespace heckbert::record::exr {
 
 /// The headers of the parts, in the order of write_sums_parts.
-std::vector<Imf::Header> sums_headers(const Sums& sums);
+std::vector<Imf::Header> sums_headers(const SumsStream& sums);
 /// Writes the parts, the first of which has number `first`.
-void write_sums_parts(Imf::MultiPartOutputFile& file, int first, const Sums& sums);
+void write_sums_parts(Imf::MultiPartOutputFile& file, int first, const SumsStream& sums);
 
-/// Whether the file keeps sums.
-bool has_sums(const Imf::MultiPartInputFile& file);
-/// The sums of what has been read as `record`. Errors: std::runtime_error with the reason.
-Sums read_sums_parts(Imf::MultiPartInputFile& file, const Record& record);
+/// The part that has the sums of entries. Errors: std::runtime_error for a file that keeps none.
+Imf::DeepScanLineInputPart sums_part(Imf::MultiPartInputFile& file);
+/// Of its rows, EntrySums without word and count.
+DeepLayout entry_sums_layout();
+/// The rest of the sums of what has been read as `totals`. Errors: std::runtime_error with the reason.
+Tile read_sums_totals(Imf::MultiPartInputFile& file, const Record& totals);
 
 }  // namespace heckbert::record::exr

@@ -85,20 +85,21 @@ void read_words(Imf::MultiPartInputFile& file, std::uint64_t file_bytes, Record&
   require(window_of(file.header(1).dataWindow()) == window_for(words),
           "the part 'words' does not have as many words as the id manifest");
   std::vector<BatchSample> samples;
-  const std::vector<unsigned> counts = read_deep(Imf::DeepScanLineInputPart(file, 1), kLayout, [&](std::size_t total) {
-    require(can_unpack_to(total * sizeof(BatchSample), file_bytes),
-            "the file is damaged: it promises more batches than it can hold");
-    samples.resize(total);
-    return reinterpret_cast<char*>(samples.data());
-  });
+  const std::vector<std::size_t> offsets =
+      read_deep(Imf::DeepScanLineInputPart(file, 1), kLayout, [&](std::size_t total) {
+        require(can_unpack_to(total * sizeof(BatchSample), file_bytes),
+                "the file is damaged: it promises more batches than it can hold");
+        samples.resize(total);
+        return reinterpret_cast<char*>(samples.data());
+      });
 
-  const BatchSample* sample = samples.data();
   for (std::size_t w = 0; w < words; ++w) {
-    for (unsigned i = 0; i < counts[w]; ++i, ++sample) {
-      require(sample->batch < kBatches, "the part 'words' has a batch that there is not");
-      require(is_recordable(sample->mean), "the part 'words' has an energy that is negative or not finite");
-      record.batch_means[w * kBatches + sample->batch] = sample->mean;
-      record.counts[w] += sample->count;
+    for (std::size_t i = offsets[w]; i < offsets[w + 1]; ++i) {
+      const BatchSample& sample = samples[i];
+      require(sample.batch < kBatches, "the part 'words' has a batch that there is not");
+      require(is_recordable(sample.mean), "the part 'words' has an energy that is negative or not finite");
+      record.batch_means[w * kBatches + sample.batch] = sample.mean;
+      record.counts[w] += sample.count;
     }
     require(record.counts[w] > 0, "the part 'words' has a word without contributions");
   }

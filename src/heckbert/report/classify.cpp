@@ -143,12 +143,11 @@ std::vector<WordGroup> by_grammar(const record::Record& record, const Energies& 
   std::vector<WordGroup> groups;
   for (const taxonomy::Grammar& grammar : library.grammars) {
     if (grammar.kind != kind) continue;
-    const std::vector<bool> undecided = record::undecided(record, grammar.language, rule);
-    std::vector<bool> chosen = members(record, grammar.language, rule);
-    std::transform(chosen.begin(), chosen.end(), undecided.begin(), chosen.begin(), std::greater<>());
+    const Members members = members_of(record, grammar.language, rule);
     std::size_t words = 0;
-    for (std::size_t w = 0; w < chosen.size(); ++w) words += chosen[w] && energies.part().has(w) ? 1 : 0;
-    groups.push_back(group_of(grammar.name, energies.between(chosen, undecided), words));
+    for (std::size_t w = 0; w < members.certain.size(); ++w)
+      words += members.certain[w] && energies.part().has(w) ? 1 : 0;
+    groups.push_back(group_of(grammar.name, energies.of_members(members), words));
     groups.back().expression = grammar.expression;
   }
   return groups;

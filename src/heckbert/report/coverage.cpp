@@ -1,7 +1,7 @@
 #include <heckbert/report/coverage.h>
 
 #include <algorithm>
-#include <functional>
+#include <future>
 #include <iterator>
 #include <unordered_map>
 #include <utility>
@@ -37,13 +37,19 @@ Spellings spell(const record::Record& record, Spelling spelling) {
   return result;
 }
 
-bool has_more_energy(const WordEnergy& a, const WordEnergy& b) {
-  return a.energy.mean > b.energy.mean;
+/// The energy of a spelling's words, or of some of them.
+struct Estimated {
+  WordEnergy word;
+  std::size_t name;  ///< of its spelling
+};
+
+bool has_more_energy(const Estimated& a, const Estimated& b) {
+  return a.word.energy.mean > b.word.energy.mean;
 }
 
 /// Some words by energy, most first.
 struct Selection {
-  std::vector<WordEnergy> parts;          ///< of spellings that are not selected as a whole
+  std::vector<Estimated> parts;           ///< of spellings that are not selected as a whole
   std::vector<const WordEnergy*> ranked;  ///< into `parts` and into the ranking that made this
 };
 
@@ -56,11 +62,14 @@ class Ranking {
     for (std::size_t word = 0; word < record.words.size(); ++word)
       if (energies.part().has(word)) ++size_[spellings_.of_word[word]];
     all_ = estimated(std::vector<bool>(record.words.size(), true), std::vector<bool>(size_.size(), true));
-    for (std::size_t name = 0; name < size_.size(); ++name) spelling_[spellings_.names[name]] = name;
-    for (const WordEnergy& word : all_) spelling_of_.push_back(spelling_.at(word.word));
   }
 
-  const std::vector<WordEnergy>& all() const { return all_; }
+  std::vector<WordEnergy> all() const {
+    std::vector<WordEnergy> words;
+    words.reserve(all_.size());
+    for (const Estimated& item : all_) words.push_back(item.word);
+    return words;
+  }
 
   Selection select(const std::vector<bool>& chosen) const {
     std::vector<std::size_t> selected(size_.size());
@@ -70,21 +79,22 @@ class Ranking {
     for (std::size_t name = 0; name < size_.size(); ++name)
       is_split[name] = selected[name] > 0 && selected[name] < size_[name];
     Selection selection{estimated(chosen, is_split), {}};
-    std::vector<const WordEnergy*> whole, parts;
-    for (std::size_t i = 0; i < all_.size(); ++i)
-      if (selected[spelling_of_[i]] == size_[spelling_of_[i]]) whole.push_back(&all_[i]);
-    for (const WordEnergy& part : selection.parts) parts.push_back(&part);
-    std::merge(whole.begin(), whole.end(), parts.begin(), parts.end(), std::back_inserter(selection.ranked),
-               [&](const WordEnergy* a, const WordEnergy* b) {
-                 if (a->energy.mean != b->energy.mean) return has_more_energy(*a, *b);
-                 return spelling_.at(a->word) < spelling_.at(b->word);
+    std::vector<const Estimated*> whole, parts, ranked;
+    for (const Estimated& item : all_)
+      if (selected[item.name] == size_[item.name]) whole.push_back(&item);
+    for (const Estimated& item : selection.parts) parts.push_back(&item);
+    std::merge(whole.begin(), whole.end(), parts.begin(), parts.end(), std::back_inserter(ranked),
+               [](const Estimated* a, const Estimated* b) {
+                 return has_more_energy(*a, *b) || (!has_more_energy(*b, *a) && a->name < b->name);
                });
+    selection.ranked.reserve(ranked.size());
+    for (const Estimated* item : ranked) selection.ranked.push_back(&item->word);
     return selection;
   }
 
  private:
   /// The chosen words whose spelling is wanted.
-  std::vector<WordEnergy> estimated(const std::vector<bool>& chosen, const std::vector<bool>& wanted) const {
+  std::vector<Estimated> estimated(const std::vector<bool>& chosen, const std::vector<bool>& wanted) const {
     std::vector<std::size_t> group_of_name(wanted.size(), kNoGroup), group_of_word(chosen.size(), kNoGroup);
     std::vector<std::size_t> name_of_group;
     for (std::size_t word = 0; word < chosen.size(); ++word) {
@@ -96,15 +106,17 @@ class Ranking {
       }
       group_of_word[word] = group_of_name[name];
     }
-    std::vector<WordEnergy> words;
+    std::vector<Estimated> words;
+    words.reserve(name_of_group.size());
     for (const GroupEnergy& sum : energies_.of_groups(group_of_word, name_of_group.size())) {
       const std::size_t name = name_of_group[words.size()];
-      words.push_back({.word = spellings_.names[name],
-                       .energy = sum.energy,
-                       .share = sum.share,
-                       .count = sum.count,
-                       .length = spellings_.lengths[name]});
-      if (sum.relative_variance) words.back().samples_needed = *sum.relative_variance / (error_ * error_);
+      words.push_back({{.word = spellings_.names[name],
+                        .energy = sum.energy,
+                        .share = sum.share,
+                        .count = sum.count,
+                        .length = spellings_.lengths[name]},
+                       name});
+      if (sum.relative_variance) words.back().word.samples_needed = *sum.relative_variance / (error_ * error_);
     }
     std::stable_sort(words.begin(), words.end(), has_more_energy);
     return words;
@@ -114,9 +126,7 @@ class Ranking {
   Spellings spellings_;
   double error_;
   std::vector<std::size_t> size_;  ///< by spelling: how many words of the part have it
-  std::vector<WordEnergy> all_;
-  std::vector<std::size_t> spelling_of_;  ///< by place in all_
-  std::unordered_map<std::string, std::size_t> spelling_;
+  std::vector<Estimated> all_;
 };
 
 /// The first `count` that carry any energy.
@@ -136,27 +146,26 @@ double practical_share(const Selection& selection, double budget) {
   return share;
 }
 
-/// Calls f(index of the pixel, x, y) for the pixels that the part has.
-template <class F>
-void for_each_pixel(const record::Record& record, const Part& part, F f) {
-  const record::Window& all = record.info.window;
-  const record::Window asked = part.pixels.value_or(all);
-  for (int y = asked.y0; y < asked.y1; ++y)
-    for (int x = asked.x0; x < asked.x1; ++x)
-      f(static_cast<std::size_t>(y - all.y0) * static_cast<std::size_t>(all.width()) +
-            static_cast<std::size_t>(x - all.x0),
-        x, y);
+/// Columns of the window that the part has: [first, last), counted from the window's left.
+struct Columns {
+  std::size_t first = 0, last = 0;
+};
+/// Of a row; none when the part has nothing of it.
+Columns columns_of(const record::Window& window, const Part& part, int y) {
+  const record::Window asked = part.pixels.value_or(window);
+  if (y < asked.y0 || y >= asked.y1) return {};
+  return {static_cast<std::size_t>(asked.x0 - window.x0), static_cast<std::size_t>(asked.x1 - window.x0)};
 }
 
-double mean_luminance(const record::Record& record, const Part& part, const std::vector<Rgb>& pixels) {
+double mean_luminance(const record::Window& window, const Part& part, const std::vector<Rgb>& pixels) {
   if (pixels.empty()) return 0;
   double sum = 0;
-  std::size_t count = 0;
-  for_each_pixel(record, part, [&](std::size_t pixel, int, int) {
-    sum += static_cast<double>(luminance(pixels[pixel]));
-    ++count;
-  });
-  return sum / static_cast<double>(count);
+  for (int y = window.y0; y < window.y1; ++y) {
+    const Columns columns = columns_of(window, part, y);
+    const auto first = static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width());
+    for (std::size_t x = columns.first; x < columns.last; ++x) sum += static_cast<double>(luminance(pixels[first + x]));
+  }
+  return sum / static_cast<double>(part.pixels.value_or(window).pixel_count());
 }
 
 /// Which grammars capture a word: words of one outcome share it. Few outcomes occur, so their table stays in the cache
@@ -166,12 +175,12 @@ struct Outcomes {
   std::vector<double> captured;  ///< by outcome, then grammar: 1 or 0
 };
 
-Outcomes outcomes_of(std::size_t words, const std::vector<GrammarCoverage>& grammars) {
+Outcomes outcomes_of(std::size_t words, const std::vector<Members>& grammars) {
   Outcomes outcomes;
   std::unordered_map<std::vector<bool>, std::size_t> known;
   std::vector<bool> outcome(grammars.size());
   for (std::size_t word = 0; word < words; ++word) {
-    for (std::size_t g = 0; g < grammars.size(); ++g) outcome[g] = grammars[g].captured[word];
+    for (std::size_t g = 0; g < grammars.size(); ++g) outcome[g] = grammars[g].certain[word];
     const auto [place, is_new] = known.try_emplace(outcome, known.size());
     if (is_new) outcomes.captured.insert(outcomes.captured.end(), outcome.begin(), outcome.end());
     outcomes.of_word.push_back(place->second);
@@ -179,32 +188,52 @@ Outcomes outcomes_of(std::size_t words, const std::vector<GrammarCoverage>& gram
   return outcomes;
 }
 
-/// One pass over the entries for all grammars.
-void find_worst_pixels(const record::Record& record, Coverage& coverage) {
-  const std::size_t grammars = coverage.grammars.size();
-  if (grammars == 0) return;
-  const Outcomes outcomes = outcomes_of(record.words.size(), coverage.grammars);
-  std::vector<double> captured(grammars), brightness(grammars);
-  for_each_pixel(record, coverage.part, [&](std::size_t pixel, int x, int y) {
-    double total = 0;
-    std::fill(captured.begin(), captured.end(), 0.0);
-    for (std::size_t e = record.offsets[pixel]; e < record.offsets[pixel + 1]; ++e) {
-      const record::Entry& entry = record.entries[e];
-      if (!coverage.part.has(entry.word)) continue;
-      const auto light = static_cast<double>(luminance(entry.energy));
-      total += light;
-      const double* of_word = &outcomes.captured[outcomes.of_word[entry.word] * grammars];
-      for (std::size_t g = 0; g < grammars; ++g) captured[g] += of_word[g] * light;
+/// The worst pixel of a grammar so far, and all that it has.
+struct Worst {
+  std::optional<WorstPixel> pixel{};
+  double brightness = 0;
+
+  void compare(const Worst& other) {
+    if (!other.pixel) return;
+    if (pixel &&
+        (other.pixel->share > pixel->share || (other.pixel->share == pixel->share && other.brightness <= brightness)))
+      return;
+    *this = other;
+  }
+};
+
+/// By grammar. One pass over the entries for all of them.
+std::vector<Worst> worst_pixels(const record::Record& record, const record::Rows& rows,
+                                const std::vector<Members>& captured_by, const Part& part) {
+  const std::size_t grammars = captured_by.size();
+  if (grammars == 0) return {};
+  const Outcomes outcomes = outcomes_of(record.words.size(), captured_by);
+  const record::Window& window = record.info.window;
+  std::vector<std::vector<Worst>> by_row(static_cast<std::size_t>(window.height()));
+  rows([&](const record::PixelRow& row) {
+    std::vector<double> captured(grammars);
+    std::vector<Worst> worst(grammars);
+    const Columns columns = columns_of(window, part, row.y);
+    for (std::size_t x = columns.first; x < columns.last; ++x) {
+      double total = 0;
+      std::fill(captured.begin(), captured.end(), 0.0);
+      for (const record::Entry& entry : row.pixel(x)) {
+        if (!part.has(entry.word)) continue;
+        const auto light = static_cast<double>(luminance(entry.energy));
+        total += light;
+        const double* of_word = &outcomes.captured[outcomes.of_word[entry.word] * grammars];
+        for (std::size_t g = 0; g < grammars; ++g) captured[g] += of_word[g] * light;
+      }
+      if (!(total > 0)) continue;
+      const int column = window.x0 + static_cast<int>(x);
+      for (std::size_t g = 0; g < grammars; ++g) worst[g].compare({{{column, row.y, captured[g] / total}}, total});
     }
-    if (!(total > 0)) return;
-    for (std::size_t g = 0; g < grammars; ++g) {
-      const double share = captured[g] / total;
-      std::optional<WorstPixel>& worst = coverage.grammars[g].worst_pixel;
-      if (worst && (share > worst->share || (share == worst->share && total <= brightness[g]))) continue;
-      worst = {x, y, share};
-      brightness[g] = total;
-    }
+    by_row[static_cast<std::size_t>(row.y - window.y0)] = std::move(worst);
   });
+  std::vector<Worst> worst(grammars);
+  for (const std::vector<Worst>& of_row : by_row)
+    for (std::size_t g = 0; g < grammars; ++g) worst[g].compare(of_row[g]);
+  return worst;
 }
 
 }  // namespace
@@ -225,11 +254,28 @@ bool is_practical(const WordEnergy& word, double budget) {
 
 Coverage coverage(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                   const CoverageOptions& options) {
+  return coverage(record, record::rows_of(record), grammars, options);
+}
+
+Coverage coverage(const record::Record& record, const record::Rows& rows,
+                  const std::vector<taxonomy::Grammar>& grammars, const CoverageOptions& options) {
+  Coverage result;
+  std::vector<const taxonomy::Grammar*> covered;
+  std::vector<Members> captured;
+  for (const taxonomy::Grammar& grammar : grammars) {
+    if (!taxonomy::has_language(grammar)) {
+      result.left_out.push_back({grammar.name, grammar.title, taxonomy::why_no_language(grammar)});
+      continue;
+    }
+    covered.push_back(&grammar);
+    captured.push_back(members_of(record, grammar.language, options.glossy_rule));
+  }
+  // Reading the pixels is most of the work, and nothing else needs them.
+  std::future<std::vector<Worst>> worst =
+      std::async(std::launch::async, [&] { return worst_pixels(record, rows, captured, options.part); });
+
   const Energies energies(record, options.confidence, options.part);
   const Ranking ranking(record, energies, options.spelling, options.error);
-  const std::vector<bool> all(record.words.size(), true);
-
-  Coverage result;
   result.info = record.info;
   result.tally = record.tally;
   result.glossy_rule = options.glossy_rule;
@@ -237,22 +283,16 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
   result.error = options.error;
   result.budget = options.budget;
   result.part = options.part;
-  result.total = energies.of_words(all).energy;
-  result.ambient = mean_luminance(record, options.part, record.ambient);
-  result.phantom = mean_luminance(record, options.part, record.phantom);
+  result.total = energies.of_words(std::vector<bool>(record.words.size(), true)).energy;
+  result.ambient = mean_luminance(record.info.window, options.part, record.ambient);
+  result.phantom = mean_luminance(record.info.window, options.part, record.phantom);
   result.words = ranking.all();
-  for (const taxonomy::Grammar& grammar : grammars) {
-    if (!taxonomy::has_language(grammar)) {
-      result.left_out.push_back({grammar.name, grammar.title, taxonomy::why_no_language(grammar)});
-      continue;
-    }
-    const std::vector<bool> undecided = record::undecided(record, grammar.language, options.glossy_rule);
-    std::vector<bool> captured = members(record, grammar.language, options.glossy_rule);
-    std::transform(captured.begin(), captured.end(), undecided.begin(), captured.begin(), std::greater<>());
-    std::vector<bool> missed = captured;
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    const taxonomy::Grammar& grammar = *covered[i];
+    std::vector<bool> missed = captured[i].certain;
     missed.flip();
-    const GroupEnergy sum = energies.between(captured, undecided);
-    const Selection captured_words = ranking.select(captured);
+    const GroupEnergy sum = energies.of_members(captured[i]);
+    const Selection captured_words = ranking.select(captured[i].certain);
     result.grammars.push_back({.name = grammar.name,
                                .title = grammar.title,
                                .expression = grammar.expression,
@@ -261,15 +301,16 @@ Coverage coverage(const record::Record& record, const std::vector<taxonomy::Gram
                                .biases = grammar.biases,
                                .variances = grammar.variances,
                                .preconditions = grammar.preconditions,
-                               .captured = captured,
-                               .is_exact = std::find(undecided.begin(), undecided.end(), true) == undecided.end(),
+                               .captured = captured[i].certain,
+                               .is_exact = captured[i].is_exact(),
                                .captured_energy = sum.energy,
                                .share = sum.share,
                                .practical_share = practical_share(captured_words, options.budget),
                                .top_captured = top(captured_words, options.top),
                                .top_missed = top(ranking.select(missed), options.top)});
   }
-  find_worst_pixels(record, result);
+  const std::vector<Worst> found = worst.get();
+  for (std::size_t i = 0; i < found.size(); ++i) result.grammars[i].worst_pixel = found[i].pixel;
   return result;
 }
 

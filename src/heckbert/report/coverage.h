@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <heckbert/record/record.h>
+#include <heckbert/record/rows.h>
 #include <heckbert/record/statistics.h>
 #include <heckbert/report/part.h>
 #include <heckbert/taxonomy/glossy_rule.h>
@@ -91,6 +92,10 @@ struct CoverageOptions {
 /// Grammars that have no language are left out, and named.
 Coverage coverage(const record::Record& record, const std::vector<taxonomy::Grammar>& grammars,
                   const CoverageOptions& options = {});
+/// The same of a record whose pixels are shown by `rows`. Takes: a record with its pixels where a region is asked for,
+/// else one that needs no offsets and no entries.
+Coverage coverage(const record::Record& record, const record::Rows& rows,
+                  const std::vector<taxonomy::Grammar>& grammars, const CoverageOptions& options = {});
 
 /// What "practical" means here, in a sentence.
 std::string practical_rule(const Coverage& coverage);

@@ -35,47 +35,49 @@ struct Ranked {
 
 }  // namespace
 
-record::Attachment cryptomatte(const record::Record& record, const PathClasses& classes, std::string_view name) {
+record::Attachment cryptomatte(const record::Window& window, const record::Rows& rows, const PathClasses& classes,
+                               std::string_view name) {
   record::Attachment result;
   const std::string key = fmt::format("cryptomatte/{:.7}/", fmt::format("{:08x}", murmur3(name)));
   result.attributes = {{key + "name", std::string(name)},
                        {key + "hash", "MurmurHash3_32"},
                        {key + "conversion", "uint32_to_float32"},
                        {key + "manifest", manifest_of(classes.names)}};
-  const std::size_t pixels = record.info.window.pixel_count();
   for (std::size_t layer = 0; layer < kLayers; ++layer)
-    result.layers.push_back({fmt::format("{}{:02}", name, layer), std::vector<std::array<float, 4>>(pixels)});
+    result.layers.push_back(
+        {fmt::format("{}{:02}", name, layer), std::vector<std::array<float, 4>>(window.pixel_count())});
 
   std::vector<float> ids;
   for (const std::string& item : classes.names) ids.push_back(cryptomatte_id(item));
-  std::vector<double> energy(classes.names.size());
-  std::vector<Ranked> ranks;
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    double total = 0;
-    ranks.clear();
-    for (std::size_t e = record.offsets[pixel]; e < record.offsets[pixel + 1]; ++e) {
-      const record::Entry& entry = record.entries[e];
-      const auto light = static_cast<double>(luminance(entry.energy));
-      if (!(light > 0)) continue;
-      total += light;
-      const std::size_t item = classes.of_word[entry.word];
-      if (item == PathClasses::kNone) continue;
-      if (energy[item] == 0) ranks.push_back({item, 0});
-      energy[item] += light;
+  rows([&](const record::PixelRow& row) {
+    std::vector<double> energy(classes.names.size());
+    std::vector<Ranked> ranks;
+    for (std::size_t x = 0; x < row.pixel_count(); ++x) {
+      double total = 0;
+      ranks.clear();
+      for (const record::Entry& entry : row.pixel(x)) {
+        const auto light = static_cast<double>(luminance(entry.energy));
+        if (!(light > 0)) continue;
+        total += light;
+        const std::size_t item = classes.of_word[entry.word];
+        if (item == PathClasses::kNone) continue;
+        if (energy[item] == 0) ranks.push_back({item, 0});
+        energy[item] += light;
+      }
+      for (Ranked& ranked : ranks) {
+        ranked.energy = energy[ranked.item];
+        energy[ranked.item] = 0;
+      }
+      std::sort(ranks.begin(), ranks.end(), [](const Ranked& a, const Ranked& b) {
+        return a.energy != b.energy ? a.energy > b.energy : a.item < b.item;
+      });
+      for (std::size_t rank = 0; rank < std::min(ranks.size(), kCryptomatteRanks); ++rank) {
+        std::array<float, 4>& at = result.layers[rank / kRanksPerLayer].pixels[row.first_pixel + x];
+        at[2 * (rank % kRanksPerLayer)] = ids[ranks[rank].item];
+        at[2 * (rank % kRanksPerLayer) + 1] = static_cast<float>(ranks[rank].energy / total);
+      }
     }
-    for (Ranked& ranked : ranks) {
-      ranked.energy = energy[ranked.item];
-      energy[ranked.item] = 0;
-    }
-    std::sort(ranks.begin(), ranks.end(), [](const Ranked& a, const Ranked& b) {
-      return a.energy != b.energy ? a.energy > b.energy : a.item < b.item;
-    });
-    for (std::size_t rank = 0; rank < std::min(ranks.size(), kCryptomatteRanks); ++rank) {
-      std::array<float, 4>& at = result.layers[rank / kRanksPerLayer].pixels[pixel];
-      at[2 * (rank % kRanksPerLayer)] = ids[ranks[rank].item];
-      at[2 * (rank % kRanksPerLayer) + 1] = static_cast<float>(ranks[rank].energy / total);
-    }
-  }
+  });
   return result;
 }
 

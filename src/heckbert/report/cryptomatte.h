@@ -14,6 +14,7 @@
 
 #include <heckbert/record/file.h>
 #include <heckbert/record/record.h>
+#include <heckbert/record/rows.h>
 
 namespace heckbert::report {
 
@@ -33,8 +34,8 @@ PathClasses classes_by_set(std::vector<std::string> names, const std::vector<std
 inline constexpr std::size_t kCryptomatteRanks = 8;
 
 /// Layers "<name>00", "<name>01" ... and the metadata, for write_layers(). The share of words without a class has no
-/// id. Energy is luminance. Cost: O(entries).
-record::Attachment cryptomatte(const record::Record& record, const PathClasses& classes,
+/// id. Energy is luminance. Takes: the picture's window, and its pixels as `rows` shows them. Cost: O(entries).
+record::Attachment cryptomatte(const record::Window& window, const record::Rows& rows, const PathClasses& classes,
                                std::string_view name = "PathClass");
 
 /// MurmurHash3_32 with seed 0 (A. Appleby, public domain).

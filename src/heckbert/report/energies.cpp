@@ -58,10 +58,21 @@ class Differences {
 
 }  // namespace
 
+bool Members::is_exact() const {
+  return std::find(undecided.begin(), undecided.end(), true) == undecided.end();
+}
+
+Members members_of(const record::Record& record, const taxonomy::Language& language, taxonomy::GlossyRule rule) {
+  Members members{record::members(record, language, rule), record::undecided(record, language, rule)};
+  std::transform(members.certain.begin(), members.certain.end(), members.undecided.begin(), members.certain.begin(),
+                 std::greater<>());
+  return members;
+}
+
 Energies::Energies(const record::Record& record, double confidence, Part part)
     : record_(record),
       statistics_(record.info, confidence),
-      mean_contribution_(record::mean_contribution(record)),
+      contribution_if_none_(record::contribution_if_none(record)),
       part_(std::move(part)),
       words_(record.words.size()) {
   if (part_.pixels)
@@ -127,8 +138,8 @@ GroupEnergy Energies::estimate(const Sums& sums) const {
   if (part_.pixels) {
     result = estimate_region(sums);
   } else {
-    result.energy = statistics_.energy(sums.batches, mean_contribution_);
-    result.share = statistics_.share(sums.batches, total_.batches, 1, mean_contribution_);
+    result.energy = statistics_.energy(sums.batches, contribution_if_none_);
+    result.share = statistics_.share(sums.batches, total_.batches, 1, contribution_if_none_);
     result.count = sums.entries.count;
   }
   if (result.energy.known && result.energy.mean > 0) {
@@ -202,11 +213,12 @@ GroupEnergy Energies::of_words(const std::vector<bool>& chosen) const {
   return estimate(sums);
 }
 
-GroupEnergy Energies::between(const std::vector<bool>& certain, const std::vector<bool>& undecided) const {
-  GroupEnergy least = of_words(certain);
-  if (std::find(undecided.begin(), undecided.end(), true) == undecided.end()) return least;
-  std::vector<bool> possible(certain.size());
-  std::transform(certain.begin(), certain.end(), undecided.begin(), possible.begin(), std::logical_or<>());
+GroupEnergy Energies::of_members(const Members& members) const {
+  GroupEnergy least = of_words(members.certain);
+  if (members.is_exact()) return least;
+  std::vector<bool> possible(members.certain.size());
+  std::transform(members.certain.begin(), members.certain.end(), members.undecided.begin(), possible.begin(),
+                 std::logical_or<>());
   const GroupEnergy most = of_words(possible);
   least.energy.upper = most.energy.upper;
   least.share.upper = most.share.upper;

@@ -34,6 +34,14 @@ struct GroupEnergy {
   std::optional<double> relative_variance{};
 };
 
+/// The words of a record that are in a language, by word: those that certainly are, and those of a folded record that
+/// may be. None is both.
+struct Members {
+  std::vector<bool> certain, undecided;
+  bool is_exact() const;
+};
+Members members_of(const record::Record& record, const taxonomy::Language& language, taxonomy::GlossyRule rule);
+
 inline constexpr std::size_t kNoGroup = std::numeric_limits<std::size_t>::max();
 
 class Energies {
@@ -49,9 +57,9 @@ class Energies {
   /// The chosen words as one group.
   GroupEnergy of_words(const std::vector<bool>& chosen) const;
 
-  /// The words that are certainly in a class as one group, and `undecided` ones that may be in it: energy and share
-  /// are those of the certain ones, their intervals reach from the least to the most that the class can have.
-  GroupEnergy between(const std::vector<bool>& certain, const std::vector<bool>& undecided) const;
+  /// The members as one group: energy and share are those of the certain ones, their intervals reach from the least to
+  /// the most that there can be.
+  GroupEnergy of_members(const Members& members) const;
 
   /// Energies of many languages, which may overlap. The words of an outcome are added up once:
   /// O(words x batches + outcomes x languages x batches), of which the languages' number is the small part.
@@ -87,7 +95,7 @@ class Energies {
 
   const record::Record& record_;
   record::BatchStatistics statistics_;
-  double mean_contribution_;
+  double contribution_if_none_;
   Part part_;
   std::vector<OfWord> words_;
   Sums total_;  ///< of the part's words

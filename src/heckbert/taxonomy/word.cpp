@@ -170,24 +170,33 @@ Word word_of(std::vector<Letter> letters) {
 
 namespace {
 
-template <class Spell>
-std::string spelled(const Word& word, Spell spell) {
+std::string spelled(const Word& word, bool with_subscripts) {
   std::string text;
-  for (const Letter& letter : letters_of(word)) {
-    text += spell(letter.symbol);
-    if (!letter.label.empty()) text += write_label(letter.label);
+  const auto add = [&](Symbol symbol) {
+    text += facts(symbol).letter;
+    if (with_subscripts && facts(symbol).subscript != 0) text += facts(symbol).subscript;
+  };
+  const auto add_label = [&](std::string_view label) {
+    if (!label.empty()) text += write_label(label);
+  };
+  add(word.light);
+  add_label(word.label(0));
+  for (std::size_t i = 0; i < word.events.size(); ++i) {
+    add(word.events[i]);
+    add_label(word.label(i + 1));
   }
+  add(word.eye);
   return text;
 }
 
 }  // namespace
 
 std::string plain(const Word& word) {
-  return spelled(word, [](Symbol s) { return std::string(1, facts(s).letter); });
+  return spelled(word, false);
 }
 
 std::string fine(const Word& word) {
-  return spelled(word, [](Symbol s) { return name(s); });
+  return spelled(word, true);
 }
 
 Word parse_word(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
+#include <heckbert/cli/files.h>
 #include <heckbert/cli/languages.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/record/statistics.h>
@@ -69,7 +70,8 @@ ExitCode run(const ClassifyFlags& options) {
   if (options.reach && !report::facts(by).is_partition)
     throw UsageError(fmt::format("--reach: groups by {} overlap, so their shares do not add up", options.by));
   const record::Record record =
-      open_record(options.record, has_pixels(options.part) ? Extent::Pixels : Extent::Totals, console);
+      has_pixels(options.part) ? read_record(options.record) : read_record_totals(options.record);
+  introduce(record, console);
 
   report::ClassifyOptions how{.glossy_rule = settings.glossy,
                               .confidence = settings.confidence,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -112,11 +113,15 @@ ExitCode run(const CoverageFlags& options) {
   std::vector<Demand> demands;
   for (const std::string& text : options.requirements) demands.push_back(parse_requirement(text));
   const std::vector<taxonomy::Grammar> grammars = grammars_of(options, demands, settings);
-  const record::Record record = read_record(options.record);
+  const record::RecordFile file = open_record(options.record);
+  // Regions and contact sheets go over the pixels more than once.
+  std::optional<record::Record> whole;
+  if (has_pixels(options.part) || !options.sheet.empty()) whole = file.whole();
+  const record::Record& record = whole ? *whole : file.totals();
   console.note(report::folding(record));
 
   const report::Coverage coverage =
-      report::coverage(record, grammars,
+      report::coverage(record, whole ? rows_of(*whole) : rows_of(file), grammars,
                        {.glossy_rule = settings.glossy,
                         .confidence = settings.confidence,
                         .top = options.top,

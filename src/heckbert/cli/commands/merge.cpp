@@ -41,25 +41,24 @@ constexpr const char* kExamples =
     "  heckbert merge room.part-*.paths.exr -o room.paths.exr\n"
     "  heckbert merge monday.paths.exr tuesday.paths.exr -o both.paths.exr --exact\n";
 
-/// Records as they are added up, with what is told about any two of them.
-class Merger {
+/// Records that are to be added up, once any two of them have been compared.
+class Inputs {
  public:
-  explicit Merger(const Console& console) : console_(console) {}
+  explicit Inputs(const Console& console) : console_(console) {}
 
   void add(const std::string& name) {
-    record::Sums sums = read_sums(name);
+    record::SumsStream sums = open_sums(name);
     console_.detail(fmt::format("{}: {}", name, report::summary(sums.info)));
-    for (const auto& [earlier, info] : inputs_) {
-      check(earlier, info, name, sums.info);
-      if (const std::string doubt = record::doubt_of(info, sums.info); !doubt.empty())
-        console_.note(fmt::format("warning: '{}' and '{}': {}", earlier, name, doubt));
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      check(names_[i], streams_[i].info, name, sums.info);
+      if (const std::string doubt = record::doubt_of(streams_[i].info, sums.info); !doubt.empty())
+        console_.note(fmt::format("warning: '{}' and '{}': {}", names_[i], name, doubt));
     }
-    const record::RenderInfo info = sums.info;
-    sums_ = inputs_.empty() ? std::move(sums) : record::merged(std::move(sums_), std::move(sums));
-    inputs_.emplace_back(name, info);
+    names_.push_back(name);
+    streams_.push_back(std::move(sums));
   }
 
-  const record::Sums& sums() const { return sums_; }
+  record::SumsStream merged() && { return record::merged(std::move(streams_)); }
 
  private:
   static void check(const std::string& first, const record::RenderInfo& a, const std::string& second,
@@ -73,8 +72,8 @@ class Merger {
   }
 
   const Console& console_;
-  std::vector<std::pair<std::string, record::RenderInfo>> inputs_;  // names, and what they are of
-  record::Sums sums_;
+  std::vector<std::string> names_;
+  std::vector<record::SumsStream> streams_;
 };
 
 report::Json to_json(const std::vector<record::SampleRange>& ranges) {
@@ -88,16 +87,16 @@ ExitCode run(const MergeOptions& options) {
   if (options.output == "-" && options.json) throw UsageError("--json and an output '-' both want standard output");
   check_writable(options.output);
   const record::Precision precision = precision_of(options.precision);
-  Merger merger(console);
-  for (const std::string& name : options.records) merger.add(name);
+  Inputs inputs(console);
+  for (const std::string& name : options.records) inputs.add(name);
 
-  const record::Sums& sums = merger.sums();
+  record::SumsStream sums = std::move(inputs).merged();
   const std::vector<record::SampleRange> missing = record::missing_of(record::samples_of(sums.info));
   const bool keeps_sums = options.exact || sums.info.partial || !missing.empty();
-  record::Record record = record::record_of(sums);
-  if (!keeps_sums) record.info.precision = precision;
+  sums.info.precision = keeps_sums ? record::Precision::Float : precision;
+  const record::Record record = record::totals_of(sums);
   write_to(options.output,
-           [&](const auto& path) { keeps_sums ? record::write_sums(sums, path) : record::write_record(record, path); });
+           [&](const auto& path) { keeps_sums ? record::write_sums(sums, path) : record::write_record(sums, path); });
 
   console.note(report::summary(sums.info));
   for (const record::SampleRange& range : missing) console.note("still missing: " + record::to_text(range));

@@ -8,6 +8,7 @@
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/console.h>
+#include <heckbert/cli/files.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/cli/traced_paths.h>
 #include <heckbert/report/coverage.h>
@@ -47,7 +48,8 @@ constexpr const char* kExamples =
 ExitCode run(const PathsOptions& options) {
   const Settings settings = resolve(options.flags);
   const Console console(settings);
-  const record::Record record = open_record(options.record, Extent::Pixels, console);
+  const record::Record record = read_record(options.record);
+  introduce(record, console);
   const record::Window pixel = pixel_of("--pixel", options.pixel, record);
   const std::vector<report::WordEnergy> words =
       report::words_by_energy(record, std::vector<bool>(record.words.size(), true),

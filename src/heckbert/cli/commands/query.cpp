@@ -50,15 +50,16 @@ constexpr const char* kExamples =
     "  heckbert query cornell.paths.exr '!@whitted' --glossy specular --json\n";
 
 /// One picture, or one of each class where the name has a place for the class's.
-void write_previews(const std::string& name, const record::Record& record, const std::vector<ClassOfRecord>& classes) {
-  const float exposure = report::auto_exposure(record::beauty(record));
+void write_previews(const std::string& name, const std::vector<ClassOfRecord>& classes,
+                    const std::vector<record::Image>& images) {
+  const float exposure = report::auto_exposure(images.back());
   const std::size_t place = name.find("{}");
   std::vector<std::string> taken;
   for (const ClassOfRecord& item : classes) {
     taken.push_back(record::layer_name(item.grammar.name, taken));
     std::string file = name;
     if (place != std::string::npos) file.replace(place, 2, taken.back());
-    write_bytes(file, png_of(record::image_of(record, item.members), exposure));
+    write_bytes(file, png_of(images[taken.size() - 1], exposure));
     if (place == std::string::npos) return;
   }
 }
@@ -73,19 +74,24 @@ ExitCode run(const QueryOptions& options) {
   for (const std::string& name : {options.output, options.preview})
     if (!name.empty()) check_writable(name);
   const std::vector<taxonomy::Grammar> grammars = find_named_grammars(options.classes, "EXPR", settings);
-  const bool wants_pictures = !options.output.empty() || !options.preview.empty();
-  const record::Record record = open_record(options.record, wants_pictures ? Extent::Pixels : Extent::Totals, console);
+  const record::RecordFile file = open_record(options.record);
+  const record::Record& record = file.totals();
+  const record::Rows rows = rows_of(file);
+  introduce(record, console);
 
   const std::vector<ClassOfRecord> classes = classes_of(record, grammars, settings.glossy, settings.confidence);
   const bool single_unnamed = classes.size() == 1 && options.classes.front().find('=') == std::string::npos;
+  std::vector<record::Image> images;
+  if (!options.output.empty() || !options.preview.empty()) images = images_of(record, rows, classes);
   if (!options.output.empty()) {
-    std::vector<record::Layer> layers = layers_of(images_of(record, classes), classes, settings.glossy, single_unnamed);
-    add_undecided_layers(record, classes, layers);
-    const record::Attachment attachment = options.cryptomatte ? cryptomatte_of(record, classes) : record::Attachment{};
+    std::vector<record::Layer> layers = layers_of(images, classes, settings.glossy, single_unnamed);
+    add_undecided_layers(record, rows, classes, layers);
+    const record::Attachment attachment =
+        options.cryptomatte ? cryptomatte_of(record, rows, classes) : record::Attachment{};
     write_to(options.output, [&](const auto& path) { record::write_layers(layers, record.info, path, attachment); });
     for (const std::string& sentence : renamed(layers)) console.note(sentence);
   }
-  if (!options.preview.empty()) write_previews(options.preview, record, classes);
+  if (!options.preview.empty()) write_previews(options.preview, classes, images);
 
   console.detail("glossy bounces: " + report::describe(settings.glossy));
   for (const ClassOfRecord& item : classes) console.note(item.never);

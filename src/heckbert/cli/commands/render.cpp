@@ -205,7 +205,7 @@ void tell_result(const Console& console, const record::Record& record, const Wor
 /// What a render came to.
 struct Result {
   record::Record record;                 ///< pixels may be missing
-  std::optional<record::Sums> sums{};    ///< to be kept with the record
+  std::optional<record::Sums> sums{};    ///< to be kept with the record, where that was held in memory
   std::vector<ClassOfRecord> classes{};  ///< that were asked for
   record::Image beauty{};
   std::vector<record::Image> images{};  ///< by class
@@ -218,15 +218,20 @@ Result result_of(record::Sums sums, bool keeps_sums, record::Precision precision
   Result result{.record = record::record_of(keeps_sums ? sums : std::move(sums))};
   if (keeps_sums) result.sums = std::move(sums);
   result.classes = classes_of(result.record, grammars, settings.glossy, settings.confidence);
-  result.beauty = record::beauty(result.record);
-  result.images = images_of(result.record, result.classes);
+  result.images = images_of(result.record, record::rows_of(result.record), result.classes);
+  result.beauty = std::move(result.images.back());
+  result.images.pop_back();
   return result;
 }
 
 /// From tiles that were let go.
-Result result_of(const Streamed& streamed, bool is_done, const std::vector<taxonomy::Grammar>& grammars,
-                 const Settings& settings) {
+Result result_of(const Streamed& streamed, bool is_done, bool keeps_sums,
+                 const std::vector<taxonomy::Grammar>& grammars, const Settings& settings) {
   Result result{.record = streamed.spool.totals(!is_done)};
+  if (keeps_sums) {  // which are of floats, even where halves were wanted
+    result.record = record::totals_of(streamed.spool.stream(!is_done));
+    result.record.info.precision = record::Precision::Float;
+  }
   result.classes = classes_of(result.record, grammars, settings.glossy, settings.confidence);
   result.beauty = streamed.pictures.beauty();
   const auto images = streamed.pictures.classes();
@@ -234,14 +239,19 @@ Result result_of(const Streamed& streamed, bool is_done, const std::vector<taxon
   return result;
 }
 
-void write_outputs(const Outputs& outputs, const Result& result, const Streamed* streamed, bool with_cryptomatte,
-                   const Settings& settings, const Console& console) {
+record::Attachment matte_of(const Result& result, const Streamed* streamed) {
+  if (streamed == nullptr) return cryptomatte_of(result.record, record::rows_of(result.record), result.classes);
+  const record::SumsStream sums = streamed->spool.stream(result.record.info.partial);
+  return cryptomatte_of(result.record, record::rows_of(sums), result.classes);
+}
+
+void write_outputs(const Outputs& outputs, const Result& result, const Streamed* streamed, bool keeps_sums,
+                   bool with_cryptomatte, const Settings& settings, const Console& console) {
   if (!outputs.picture.empty()) {
     std::vector<record::Layer> layers = layers_of(result.images, result.classes, settings.glossy);
     layers.insert(layers.begin(), record::Layer{"", result.beauty, {}});
     add_non_path_layers(result.record, layers);
-    const record::Attachment attachment =
-        with_cryptomatte ? cryptomatte_of(result.record, result.classes) : record::Attachment{};
+    const record::Attachment attachment = with_cryptomatte ? matte_of(result, streamed) : record::Attachment{};
     write_to(outputs.picture,
              [&](const auto& path) { record::write_layers(layers, result.record.info, path, attachment); });
     for (const std::string& sentence : renamed(layers)) console.note(sentence);
@@ -250,6 +260,8 @@ void write_outputs(const Outputs& outputs, const Result& result, const Streamed*
     write_to(outputs.record, [&](const auto& path) {
       if (result.sums)
         record::write_sums(*result.sums, path);
+      else if (streamed != nullptr && keeps_sums)
+        record::write_sums(streamed->spool.stream(result.record.info.partial), path);
       else if (streamed != nullptr)
         streamed->spool.write(path, result.record.info.partial);
       else
@@ -350,14 +362,16 @@ ExitCode run(const RenderOptions& options) {
   std::optional<record::Sums> sums;
   std::optional<Streamed> streamed;
   bool is_done = false;
-  // What is traced in pieces is held in memory as sums, and so is what a Cryptomatte ranks and what walks from the
-  // light find; all else is let go tile by tile.
-  const bool in_memory = transport::facts(render.algorithm).from_light || options.exact || options.cryptomatte ||
-                         job.checkpoint || !job.resume.empty() || render.part.of > 1;
+  // What is added to while it is traced is held in memory as sums. All else is let go tile by tile.
+  const bool in_memory =
+      transport::facts(render.algorithm).from_light || job.checkpoint || !job.resume.empty() || ranks.count() > 1;
   if (in_memory && settings.memory)
     throw UsageError(
-        "--memory: a render in pieces, from the light, with --exact or with --cryptomatte is held in memory as a "
+        "--memory: a render from the light, with --checkpoint, with --resume or by mpirun is held in memory as a "
         "whole");
+  if (settings.memory && (options.exact || render.part.of > 1))
+    throw UsageError("--memory: --exact and --part keep sums for others to add to, and folded words have none");
+  bool keeps_sums = false;
   if (in_memory) {
     sums = trace(imported.scene, job, console, interrupt.stop(), work);
     if (ranks.count() > 1) sums = share(ranks, std::move(*sums), job.keep);
@@ -366,25 +380,25 @@ ExitCode run(const RenderOptions& options) {
       ranks.leave();
       return ExitCode::Done;
     }
+    keeps_sums = options.exact || sums->info.partial || !sums->info.parts.empty();
   } else {
-    job.info.precision = precision;
+    keeps_sums = !outputs.record.empty() && (options.exact || !job.info.parts.empty());
+    job.info.precision = keeps_sums ? record::Precision::Float : precision;
     std::vector<taxonomy::Language> languages;
     for (const taxonomy::Grammar& grammar : grammars) languages.push_back(grammar.language);
     std::optional<record::FoldRule> folding;
-    if (settings.memory) folding = fold_rule(*settings.memory, job.info, grammars);
-    streamed.emplace(job.info, outputs.record, languages, settings.glossy, folding);
+    if (settings.memory) folding = fold_rule(*settings.memory, job.info, grammars, options.cryptomatte);
+    const std::string& kept = outputs.record.empty() && options.cryptomatte ? outputs.picture : outputs.record;
+    streamed.emplace(job.info, kept, languages, settings.glossy, folding);
     is_done = trace(imported.scene, job, console, interrupt.stop(), work, *streamed);
     const bool can_be_resumed =
         !is_done && !outputs.record.empty() && !options.adaptive && !streamed->spool.is_folded();
-    if (can_be_resumed) sums = streamed->spool.sums(true);
+    keeps_sums = keeps_sums || can_be_resumed;
   }
-
-  const bool keeps_sums =
-      sums && !options.adaptive && (options.exact || sums->info.partial || !sums->info.parts.empty());
   const Result result = sums ? result_of(std::move(*sums), keeps_sums, precision, grammars, settings)
-                             : result_of(*streamed, is_done, grammars, settings);
+                             : result_of(*streamed, is_done, keeps_sums, grammars, settings);
   const record::Record& record = result.record;
-  write_outputs(outputs, result, streamed ? &*streamed : nullptr, options.cryptomatte, settings, console);
+  write_outputs(outputs, result, streamed ? &*streamed : nullptr, keeps_sums, options.cryptomatte, settings, console);
   tell_result(console, record, work, result.classes);
   console.note(fmt::format("wrote {}", fmt::join(outputs.all(), ", ")));
   if (options.json)

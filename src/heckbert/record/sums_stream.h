@@ -1,0 +1,45 @@
+#pragma once
+// Sums of a picture that need not fit into memory: all but its entries, and these a band of rows at a time. Parts of a
+// render are merged so, each from its file, and so a render that was spooled keeps its sums.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <heckbert/record/rows.h>
+#include <heckbert/record/sums.h>
+
+namespace heckbert::record {
+
+/// What was found in some rows of a picture.
+struct SumsBand {
+  Window window;                      ///< as wide as the picture
+  std::vector<std::uint32_t> counts;  ///< of entries, by pixel, row by row
+  std::vector<EntrySum> entries;      ///< pixel by pixel, within a pixel sorted by word
+};
+
+/// Goes through the entries once. Fills counts and entries of a band whose window is set; the windows follow one
+/// another from the top downwards and leave no row out. Errors: those of where the entries come from.
+using SumsPass = std::function<void(SumsBand&)>;
+
+struct SumsStream {
+  RenderInfo info;
+  Tile totals;                      ///< of the whole window, without offsets and entries
+  std::function<SumsPass()> begin;  ///< as often as one likes; words are those of `totals`
+};
+
+/// Those of a picture in memory, which must outlive it.
+SumsStream stream_of(const Sums& sums);
+
+/// All samples of all. Takes: at least one. Memory: their totals, and in each pass a band of each.
+/// Errors: MergeError when they are not alike or have samples in common.
+SumsStream merged(std::vector<SumsStream> streams);
+
+/// All of it in memory.
+Sums collected(const SumsStream& stream);
+
+/// The means without their pixels; and those, for which the stream must outlive the rows.
+Record totals_of(const SumsStream& stream);
+Rows rows_of(const SumsStream& stream);
+
+}  // namespace heckbert::record
