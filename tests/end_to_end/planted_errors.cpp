@@ -1,7 +1,5 @@
 #include "end_to_end/planted_errors.h"
 
-#include <atomic>
-
 #include <gtest/gtest.h>
 
 #include <heckbert/taxonomy/expression.h>
@@ -11,8 +9,6 @@ namespace heckbert::cli {
 namespace {
 
 using transport::Scene;
-
-const std::atomic<bool> kGoOn{false};
 
 void add(Scene& scene, transport::Geometry geometry, transport::Material material) {
   scene.materials.push_back(std::move(material));
@@ -47,7 +43,7 @@ Trials prepared(Scene scene, const transport::RenderSettings& settings) {
   Trials trials{std::move(scene), settings, {}};
   trials.trusted.push_back(*run_trial(path_tracer(), trials.scene,
                                       reference_settings(settings, kReferenceFactor * settings.samples_per_pixel), {},
-                                      kGoOn));
+                                      {}));
   return trials;
 }
 
@@ -55,7 +51,7 @@ report::Verification path_tracer_on_trial(const Trials& trials, transport::Fault
                                           const report::VerdictOptions& options) {
   transport::plant(fault);
   std::vector<TrialRun> runs;
-  runs.push_back(*run_trial(path_tracer(), trials.scene, trials.settings, {}, kGoOn));
+  runs.push_back(*run_trial(path_tracer(), trials.scene, trials.settings, {}, {}));
   transport::plant(transport::Fault::None);
   return report::verify(trials_of(runs), witnesses_of(trials.trusted), kinds_of_lights(trials.scene), options);
 }

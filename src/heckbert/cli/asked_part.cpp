@@ -60,17 +60,7 @@ bool has_pixels(const PartFlags& flags) {
 }
 
 record::Window pixel_of(const std::string& flag, const std::string& text, const record::Record& record) {
-  const record::Window& all = record.info.window;
-  return value_of_flag(flag, [&]() -> record::Window {
-    const std::vector<std::string> parts = split(text, ',');
-    if (parts.size() != 2) throw BadValue(fmt::format("'{}' is no pixel; expected X,Y", text));
-    const auto place = [](const std::string& part, int low, int high) {
-      return static_cast<int>(
-          whole_number(part, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high - 1)));
-    };
-    const int x = place(parts[0], all.x0, all.x1), y = place(parts[1], all.y0, all.y1);
-    return {x, y, x + 1, y + 1};
-  });
+  return value_of_flag(flag, [&] { return parse_pixel(text, record.info.window); });
 }
 
 report::Part part_of(const PartFlags& flags, const record::Record& record, const Settings& settings) {

@@ -47,6 +47,16 @@ record::Window parse_window(const std::string& text) {
   return window;
 }
 
+record::Window parse_pixel(const std::string& text, const record::Window& all) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 2) throw BadValue(fmt::format("'{}' is no pixel; expected X,Y", text));
+  const auto place = [](const std::string& part, int low, int high) {
+    return static_cast<int>(whole_number(part, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high - 1)));
+  };
+  const int x = place(parts[0], all.x0, all.x1), y = place(parts[1], all.y0, all.y1);
+  return {x, y, x + 1, y + 1};
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts{""};
   for (const char c : text) {

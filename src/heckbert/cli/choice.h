@@ -27,6 +27,8 @@ double number_between(std::string_view text, double low, double high);
 double share_of(std::string_view text);
 /// "x0,y0,x1,y1" with x0 < x1 and y0 < y1. Errors: BadValue.
 record::Window parse_window(const std::string& text);
+/// "X,Y", a pixel of the window, as a window of its own. Errors: BadValue, also for one outside.
+record::Window parse_pixel(const std::string& text, const record::Window& all);
 /// Pixels of a picture's side, at most.
 inline constexpr int kMaxSize = 16'384;
 /// "a,b,c" at each separator, nothing trimmed.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,35 @@ namespace {
 
 constexpr int kFewBatches = 8;
 
+/// Hooks for one render after another, which tell the hooks of all of them how far they are together.
+class Together {
+ public:
+  Together(const transport::RenderHooks& all, std::size_t renders) : all_(all), renders_(renders) {}
+
+  /// For the render that begins. Refers to this.
+  transport::RenderHooks next() {
+    done_ += begun_ ? 1 : 0;
+    begun_ = true;
+    rays_before_ += std::exchange(rays_, 0);
+    transport::RenderHooks hooks{.progress = {}, .stop = all_.stop};
+    if (all_.progress)
+      hooks.progress = [this](const transport::Progress& one) {
+        rays_ = one.rays;
+        all_.progress({(done_ + one.fraction) / static_cast<double>(renders_), rays_before_ + rays_, seconds()});
+      };
+    return hooks;
+  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  const transport::RenderHooks& all_;
+  std::size_t renders_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool begun_ = false;
+  double done_ = 0;
+  std::uint64_t rays_before_ = 0, rays_ = 0;
+};
+
 }  // namespace
 
 int batches_of(const transport::AlgorithmFacts& algorithm) {
@@ -27,34 +58,36 @@ int batches_of(const transport::AlgorithmFacts& algorithm) {
 
 std::optional<TrialRun> run_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
                                   const transport::RenderSettings& settings,
-                                  std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop) {
-  const auto start = std::chrono::steady_clock::now();
+                                  std::span<const taxonomy::Language> pictures, const transport::RenderHooks& hooks) {
   TrialRun run{.algorithm = &algorithm};
   const int batches = batches_of(algorithm);
+  Together renders(hooks, static_cast<std::size_t>(batches));
   for (int batch = 0; batch < batches; ++batch) {
     transport::RenderSettings part = settings;
     part.algorithm = algorithm.id;
     part.samples_per_pixel = std::max(1, settings.samples_per_pixel / batches);
     part.seed = transport::mix(settings.seed + transport::kWeyl * static_cast<std::uint64_t>(batch + 1));
-    run.evidence.add(transport::render(scene, part, {.progress = {}, .stop = &stop}), pictures);
-    if (stop) return std::nullopt;
+    run.evidence.add(transport::render(scene, part, renders.next()), pictures);
+    if (hooks.stop != nullptr && *hooks.stop) return std::nullopt;
   }
-  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.seconds = renders.seconds();
   return run;
 }
 
 std::optional<TrialRun> run_refined_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
                                           const transport::RenderSettings& settings,
-                                          std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop) {
+                                          std::span<const taxonomy::Language> pictures,
+                                          const transport::RenderHooks& hooks) {
   const transport::MethodOption* option =
       algorithm.accuracy == transport::Accuracy::Consistent ? transport::refining_option(algorithm.id) : nullptr;
-  std::optional<TrialRun> run = run_trial(algorithm, scene, settings, pictures, stop);
+  Together runs(hooks, option == nullptr ? 1 : 1 + std::size(kCoarser));
+  std::optional<TrialRun> run = run_trial(algorithm, scene, settings, pictures, runs.next());
   if (!run || option == nullptr) return run;
   run->size = option->get(settings.method);
   for (const double factor : kCoarser) {
     transport::RenderSettings coarse = settings;
     option->set(coarse.method, factor * run->size);
-    std::optional<TrialRun> coarser = run_trial(algorithm, scene, coarse, {}, stop);
+    std::optional<TrialRun> coarser = run_trial(algorithm, scene, coarse, {}, runs.next());
     if (!coarser) return std::nullopt;
     run->coarser.push_back({option->get(coarse.method), std::move(coarser->evidence)});
   }

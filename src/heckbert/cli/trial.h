@@ -2,7 +2,6 @@
 // Algorithms run against each other: each renders the same picture many times over, independently, and the renders are
 // the batches of its evidence.
 
-#include <atomic>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,16 +43,18 @@ struct TrialRun {
 int batches_of(const transport::AlgorithmFacts& algorithm);
 
 /// Renders batches_of() times with an equal part of settings.samples_per_pixel each, at least one, and seeds that
-/// all follow from settings.seed. Keeps pictures of the languages. Nothing when it was stopped. Errors: as render().
+/// all follow from settings.seed. Keeps pictures of the languages. The hooks are told of all renders together.
+/// Nothing when it was stopped. Errors: as render().
 std::optional<TrialRun> run_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
                                   const transport::RenderSettings& settings,
-                                  std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop);
+                                  std::span<const taxonomy::Language> pictures, const transport::RenderHooks& hooks);
 
 /// run_trial() with the settings, and where the algorithm is right only in the limit with coarser ones too. Nothing
 /// when it was stopped. Errors: as render().
 std::optional<TrialRun> run_refined_trial(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
                                           const transport::RenderSettings& settings,
-                                          std::span<const taxonomy::Language> pictures, const std::atomic<bool>& stop);
+                                          std::span<const taxonomy::Language> pictures,
+                                          const transport::RenderHooks& hooks);
 
 /// The settings of everything that trials with these settings are compared with: other samples, and `samples` of them
 /// per pixel.

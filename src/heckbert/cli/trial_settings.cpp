@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <heckbert/cli/progress.h>
+
 namespace heckbert::cli {
 
 void add_scene_to_try(CLI::App& command, std::string& name) {
@@ -35,8 +37,12 @@ transport::RenderSettings settings_to_try(const Settings& settings, const transp
 bool try_out(Runner& run_it, const transport::AlgorithmFacts& algorithm, const transport::Scene& scene,
              const transport::RenderSettings& settings, std::span<const taxonomy::Language> pictures,
              const std::atomic<bool>& stop, const Console& console, std::vector<TrialRun>& runs) {
-  std::optional<TrialRun> run = run_it(algorithm, scene, settings, pictures, stop);
+  ProgressDisplay display(console.progress(), settings.samples_per_pixel);
+  const transport::RenderHooks hooks{.progress = [&](const transport::Progress& progress) { display.show(progress); },
+                                     .stop = &stop};
+  std::optional<TrialRun> run = run_it(algorithm, scene, settings, pictures, hooks);
   if (!run) return false;
+  display.clear();
   console.note(fmt::format("{}: {} samples per pixel in {:.2f} s", algorithm.name, run->evidence.samples_per_pixel(),
                            run->seconds));
   runs.push_back(std::move(*run));

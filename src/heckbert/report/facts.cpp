@@ -40,14 +40,6 @@ std::string rounding(const record::Tally& tally) {
                      record::kMostLight, grouped(tally.vanished));
 }
 
-/// The seed, or which samples of which seeds.
-std::string samples_text(const record::RenderInfo& info) {
-  if (info.parts.empty()) return fmt::format("seed {}", info.seed);
-  std::vector<std::string> ranges;
-  for (const record::SampleRange& range : info.parts) ranges.push_back(record::to_text(range));
-  return fmt::format("{}", fmt::join(ranges, "; "));
-}
-
 std::string precision(const record::RenderInfo& info, const record::Tally& tally) {
   const record::PrecisionFacts& facts = record::kPrecisions[static_cast<std::size_t>(info.precision)];
   std::string text = fmt::format("{} in pixels ({}); sums over the picture are exact", facts.name, facts.meaning);
@@ -110,8 +102,13 @@ std::string termination(const record::RenderInfo& info, const record::Tally& tal
 
 std::vector<std::string> warnings(const record::RenderInfo& info, const record::Tally& tally) {
   std::vector<std::string> found;
-  if (info.partial)
-    found.push_back("The render was interrupted: samples that pixels lack are black and count as such.");
+  if (info.partial) {
+    const double all = static_cast<double>(info.window.pixel_count()) * info.samples_per_pixel;
+    found.push_back(fmt::format(
+        "The render was interrupted when {} of its samples were taken: pixels that lack theirs are black, and "
+        "all numbers are about the picture as it is.",
+        percent(static_cast<double>(tally.samples) / all)));
+  }
   if (tally.rejected_not_finite + tally.rejected_negative > 0)
     found.push_back(fmt::format("Contributions were left out because they were no light: {}.", rejected(tally)));
   if (tally.clamped > 0) found.push_back(fmt::format("Contributions were out of range: {}.", rounding(tally)));
@@ -140,6 +137,13 @@ std::string folding(const record::Record& record) {
       record.folding->longest, grouped(record.words.size() - record.folding->first),
       percent(record::share(record, folded, all).mean),
       taxonomy::kGlossyRules[static_cast<std::size_t>(record.info.glossy)].name);
+}
+
+std::string samples_text(const record::RenderInfo& info) {
+  if (info.parts.empty()) return fmt::format("seed {}", info.seed);
+  std::vector<std::string> ranges;
+  for (const record::SampleRange& range : info.parts) ranges.push_back(record::to_text(range));
+  return fmt::format("{}", fmt::join(ranges, "; "));
 }
 
 std::string summary(const record::RenderInfo& info) {

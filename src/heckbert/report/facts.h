@@ -31,6 +31,9 @@ std::string folding(const record::Record& record);
 /// What is said beside an answer that folded words leave open.
 inline constexpr std::string_view kAtLeast = "at least; the rest of the interval is folded words";
 
+/// "seed 1"; of a part or of several renders, which samples: "samples 8 to 15 of 32, seed 1".
+std::string samples_text(const record::RenderInfo& info);
+
 /// "scene, path, 512 x 512 pixels, 64 samples per pixel, seed 1, heckbert 0.1.0"
 std::string summary(const record::RenderInfo& info);
 

@@ -86,14 +86,14 @@ have missed?</p>
 std::string picture_section(const record::Image& beauty, const Coverage& coverage, float exposure, int width) {
   return fmt::format(R"(<section id="picture" aria-label="The picture">
 <figure class="picture">{picture}
-<figcaption>The picture: all recorded light. Traced with <code>{algorithm}</code>, {samples} samples per pixel, seed {seed}.
+<figcaption>The picture: all recorded light. Traced with <code>{algorithm}</code>, {samples} samples per pixel, {which}.
 Every picture on this page has the same exposure, {stops:+.2f} stops.</figcaption></figure>
 </section>
 )",
                      arg("picture", picture_element(beauty, exposure, width, "The picture of " + coverage.info.scene)),
                      arg("algorithm", escaped(coverage.info.algorithm)),
-                     arg("samples", coverage.info.samples_per_pixel), arg("seed", coverage.info.seed),
-                     arg("stops", std::log2(exposure)));
+                     arg("samples", coverage.info.samples_per_pixel),
+                     arg("which", escaped(samples_text(coverage.info))), arg("stops", std::log2(exposure)));
 }
 
 /// The plain letters with what they stand for, from the table of symbols: letters that differ only in their subscript

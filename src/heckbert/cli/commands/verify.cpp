@@ -138,7 +138,6 @@ TrialRun read_reference(const std::string& name, const transport::Scene& scene,
 /// Pictures of what each algorithm was predicted to find, of what it found, and of the difference.
 void write_pictures(const std::string& folder, const std::vector<report::Witness>& witnesses,
                     const std::vector<report::Trial>& trials, const Console& console) {
-  std::filesystem::create_directories(folder);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     std::vector<report::NoisyImage> parts;
     for (const report::Witness& witness : witnesses) parts.push_back(witness.evidence->image(i));
@@ -186,6 +185,7 @@ ExitCode run(const VerifyOptions& options) {
   const taxonomy::Symbol eye = kind_of_eye(scene);
   if (lights.empty()) throw UsageError(fmt::format("{} has no light, so there is nothing to verify", options.scene));
   const bool wants_pictures = !options.folder.empty();
+  if (wants_pictures) make_writable_folder(options.folder);
 
   const InterruptGuard interrupt;
   const auto run_one = [&](Runner& run_it, const transport::AlgorithmFacts& algorithm,

@@ -70,12 +70,7 @@ transport::RenderSettings settings_of(const WhyOptions& options, const Settings&
   const bool is_pixel = !options.pixel.empty();
   const std::string flag = is_pixel ? "--pixel" : "--region";
   render.crop = value_of_flag(flag, [&] {
-    if (!is_pixel) return parse_window(options.region);
-    const std::vector<std::string> place = split(options.pixel, ',');
-    if (place.size() != 2) throw BadValue(fmt::format("'{}' is no pixel; expected X,Y", options.pixel));
-    const int x = static_cast<int>(whole_number(place[0], 0, kMaxSize));
-    const int y = static_cast<int>(whole_number(place[1], 0, kMaxSize));
-    return record::Window{x, y, x + 1, y + 1};
+    return is_pixel ? parse_pixel(options.pixel, {0, 0, render.width, render.height}) : parse_window(options.region);
   });
   if (render.crop->x1 > render.width || render.crop->y1 > render.height)
     throw UsageError(
