@@ -1,6 +1,7 @@
 // `heckbert verify` and `heckbert why` as people run them.
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,23 @@ TEST(Verify, WritesPictures) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* what : {"predicted", "rendered", "difference"})
     EXPECT_TRUE(std::filesystem::exists(pictures / fmt::format("ray-casting-{}.png", what))) << what;
+}
+
+TEST(Verify, LooksForAPlaceForItsPicturesBeforeItRenders) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "file";
+  std::ofstream(file) << "no folder";
+  const Outcome outcome = run({"verify", "lecture", "--size", "16x16", "-o", file.string()});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot make this folder"));
+  EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("samples per pixel")));
+}
+
+TEST(Verify, ShowsItsProgress) {
+  const Outcome outcome = run(
+      {"verify", "furnace", "--algorithm", "ray-casting", "--size", "16x16", "--spp", "32", "--progress", "always"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("100 %"));
 }
 
 TEST(Verify, RefusesWhatCannotBeVerified) {

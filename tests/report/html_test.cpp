@@ -251,6 +251,14 @@ TEST(Html, WarnsOfWhatMustNotBeOverlooked) {
   EXPECT_THAT(text, HasSubstr("3 not finite"));
 }
 
+TEST(Html, SaysWhichSamplesAPartHas) {
+  record::Record record = lecture_like_record(8, 8);
+  const std::string traced = "16 samples per pixel, ";
+  EXPECT_THAT(page_of(record), HasSubstr(traced + "seed 7."));
+  record.info.parts = {{.seed = 7, .of = 64, .first = 16, .last = 32}};
+  EXPECT_THAT(page_of(record), HasSubstr(traced + "samples 16 to 31 of 64, seed 7."));
+}
+
 TEST(Html, SaysThatLongWordsAreFoldedAndWhatThatLeavesOpen) {
   record::Record record = lecture_like_record(4, 4);
   record.folding = record::Folding{.longest = 2, .first = record.words.size() - 1, .exact = {}};

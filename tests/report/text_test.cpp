@@ -138,7 +138,9 @@ TEST(CoverageText, WarnsOfAnInterruptedRender) {
   record::Record record = test::lecture_like_record(4, 4);
   EXPECT_THAT(coverage_text(coverage(record, {})), Not(HasSubstr("Warning")));
   record.info.partial = true;
-  EXPECT_THAT(coverage_text(coverage(record, {})), HasSubstr("Warning: The render was interrupted"));
+  record.tally.samples = static_cast<std::uint64_t>(16 * record.info.samples_per_pixel / 4);
+  EXPECT_THAT(coverage_text(coverage(record, {})),
+              HasSubstr("Warning: The render was interrupted when 25.00 % of its samples were taken"));
 }
 
 TEST(Facts, SayWhichPartOfACroppedPictureWasRendered) {
