@@ -53,7 +53,8 @@ report::Verification path_tracer_on_trial(const Trials& trials, transport::Fault
   std::vector<TrialRun> runs;
   runs.push_back(*run_trial(path_tracer(), trials.scene, trials.settings, {}, {}));
   transport::plant(transport::Fault::None);
-  return report::verify(trials_of(runs), witnesses_of(trials.trusted), kinds_of_lights(trials.scene), options);
+  return report::verify(trials_of(runs, kind_of_eye(trials.scene)), witnesses_of(trials.trusted),
+                        kinds_of_lights(trials.scene), options);
 }
 
 void expect_planted_errors_are_found(const Trials& trials) {

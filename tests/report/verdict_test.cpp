@@ -227,6 +227,19 @@ TEST(Verdict, SupposesPathsAsBrightAsTheyAreAmongTheTrialsSamples) {
   }
 }
 
+TEST(Verdict, DoesNotCallMissingWhatOnlyAWalkIntoTheLensFinds) {
+  Lights less = kRoom;
+  less.erase("LSDE");
+  const Evidence witness = evidence_of(kRoom, 1, 4), own = evidence_of(less, 2);
+  for (const bool by_lens : {false, true}) {
+    Trial trial{"tested", "", "", &own, taxonomy::compile("L.*E")};
+    if (by_lens) trial.by_lens = taxonomy::compile("LS.*E");
+    const AlgorithmVerdict verdict =
+        verify({trial}, {{"reference", &witness, taxonomy::compile("L.*E")}}, {taxonomy::Symbol::La}).verdicts.at(0);
+    EXPECT_EQ(find(verdict, "LSDE").standing, by_lens ? Standing::Rare : Standing::Missing);
+  }
+}
+
 // ---- algorithms that are right only in the limit ------------------------------------------------------------------
 
 /// The ruling on renders whose light is off by these factors, the coarsest first; each is half as coarse as the last.

@@ -50,6 +50,12 @@ class Together {
   std::uint64_t rays_before_ = 0, rays_ = 0;
 };
 
+/// Report::Trial::by_lens. Walks from the light ask for the eye at surfaces that are not specular, and at no others.
+taxonomy::Language words_by_lens(const transport::AlgorithmFacts& algorithm, Symbol eye) {
+  if (algorithm.reach != transport::Reach::Light || eye != Symbol::El) return {};
+  return taxonomy::compile("L (X* S)? El");
+}
+
 }  // namespace
 
 int batches_of(const transport::AlgorithmFacts& algorithm) {
@@ -163,7 +169,7 @@ std::vector<report::Witness> witnesses_of(const std::vector<TrialRun>& trusted) 
   return witnesses;
 }
 
-std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs) {
+std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs, Symbol eye) {
   std::vector<report::Trial> trials;
   for (const TrialRun& run : runs) {
     trials.push_back({.algorithm = std::string(run.algorithm->name),
@@ -172,7 +178,8 @@ std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs) {
                       .evidence = &run.evidence,
                       .claimed = claimed_by(*run.algorithm),
                       .may_be_wrong = run.algorithm->accuracy == transport::Accuracy::Biased,
-                      .shares_light = run.algorithm->passes});
+                      .shares_light = run.algorithm->passes,
+                      .by_lens = words_by_lens(*run.algorithm, eye)});
     if (run.coarser.empty()) continue;
     const transport::MethodOption& option = *transport::refining_option(run.algorithm->id);
     report::Refinement refinement{.option = std::string(option.name), .order = option.order, .size = run.size};
@@ -180,6 +187,19 @@ std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs) {
     trials.back().refinement = std::move(refinement);
   }
   return trials;
+}
+
+transport::RenderSettings repeated_settings(transport::RenderSettings trials) {
+  trials.seed = transport::mix(trials.seed + transport::kWeyl * (record::kBatches + 1));
+  trials.samples_per_pixel *= kRepeatFactor;
+  return trials;
+}
+
+bool is_accused(const transport::AlgorithmFacts& algorithm, const report::Verification& verification) {
+  return std::any_of(verification.verdicts.begin(), verification.verdicts.end(),
+                     [&](const report::AlgorithmVerdict& verdict) {
+                       return verdict.algorithm == algorithm.name && !verdict.is_expected;
+                     });
 }
 
 }  // namespace heckbert::cli

@@ -83,6 +83,16 @@ std::vector<taxonomy::Language> shares_of(const std::vector<const transport::Alg
 
 /// Runs as report::verify() takes them; they refer to the evidence of the runs.
 std::vector<report::Witness> witnesses_of(const std::vector<TrialRun>& trusted);
-std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs);
+std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs, taxonomy::Symbol eye);
+
+/// How many times the samples a trial is repeated with before it is believed that a grammar's prediction failed: what
+/// was a few bright paths that chance left out shows itself, an error stays.
+inline constexpr int kRepeatFactor = 4;
+
+/// The settings of that.
+transport::RenderSettings repeated_settings(transport::RenderSettings trials);
+
+/// Did one of its predictions fail, in a way that is not known of it?
+bool is_accused(const transport::AlgorithmFacts& algorithm, const report::Verification& verification);
 
 }  // namespace heckbert::cli

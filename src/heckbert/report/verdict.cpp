@@ -25,6 +25,7 @@ struct Group {
   std::size_t length = 0;
   std::size_t witness = kNobody;
   bool is_claimed = false;
+  bool is_by_lens = false;
   Series expected, found;
   std::map<std::size_t, Series> expected_blocks, found_blocks;
   /// As found and found_blocks, by coarser stage of the trial.
@@ -75,6 +76,7 @@ std::vector<Group> groups_of(const Trial& trial, const std::vector<Witness>& wit
     group.length = word.length();
     group.witness = witness;
     group.is_claimed = is_claimed;
+    group.is_by_lens = trial.by_lens.contains(word);
     return group;
   };
   for (const auto& [word, evidence] : trial.evidence->words()) {
@@ -197,8 +199,11 @@ class Judge {
       }
       if (differs || word.blocks_that_differ > 0) word.standing = stays_wrong ? Standing::Differs : Standing::Converges;
     }
-    AlgorithmVerdict verdict{
-        .algorithm = c.trial->algorithm, .title = c.trial->title, .grammar = c.trial->grammar, .light = c.light};
+    AlgorithmVerdict verdict{.algorithm = c.trial->algorithm,
+                             .title = c.trial->title,
+                             .grammar = c.trial->grammar,
+                             .light = c.light,
+                             .samples_per_pixel = c.trial->evidence->samples_per_pixel()};
     if (c.trial->refinement) {
       verdict.refined_by = c.trial->refinement->option;
       verdict.sizes = sizes_of(*c.trial->refinement);
@@ -306,7 +311,7 @@ class Judge {
     finding.standing = [&] {
       if (!group.is_claimed) return Standing::Unclaimed;
       if (witness == nullptr || enough_expected < kEnough) return Standing::Untold;
-      if (group.found.count == 0) return Standing::Missing;
+      if (group.found.count == 0) return group.is_by_lens ? Standing::Rare : Standing::Missing;
       return enough_found < enough(trial) ? Standing::Rare : Standing::Agrees;
     }();
     if (finding.standing == Standing::Agrees) {

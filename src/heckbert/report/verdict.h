@@ -84,8 +84,11 @@ struct Trial {
   std::string algorithm, title, grammar;
   const Evidence* evidence = nullptr;
   taxonomy::Language claimed;
-  bool may_be_wrong = false;               ///< its values, whatever its settings: missing shadows, clamped light
-  bool shares_light = false;               ///< its pixels share photons or virtual lights
+  bool may_be_wrong = false;  ///< its values, whatever its settings: missing shadows, clamped light
+  bool shares_light = false;  ///< its pixels share photons or virtual lights
+  /// Words that only a walk into the lens of the eye finds, of which nothing is known before one is found: so seldom
+  /// that it has no use to ask whether it should have been.
+  taxonomy::Language by_lens{};
   std::optional<Refinement> refinement{};  ///< of an algorithm that is right only in the limit
 };
 
@@ -115,6 +118,7 @@ struct WordFinding {
 struct AlgorithmVerdict {
   std::string algorithm, title, grammar;
   taxonomy::Symbol light = taxonomy::Symbol::La;
+  int samples_per_pixel = 0;    ///< all batches together
   std::string refined_by{};     ///< the option that makes it finer; empty: none
   std::vector<double> sizes{};  ///< of that option, as in every Sequence
   Ruling ruling = Ruling::Captures;

@@ -54,6 +54,7 @@ Json json_of(const AlgorithmVerdict& verdict) {
                {"title", verdict.title},
                {"grammar", verdict.grammar},
                {"light", taxonomy::name(verdict.light)},
+               {"samples_per_pixel", verdict.samples_per_pixel},
                {"verdict", facts(verdict.ruling).name},
                {"expected", verdict.is_expected},
                {"shortest", verdict.shortest}};
