@@ -49,12 +49,16 @@ Trials prepared(Scene scene, const transport::RenderSettings& settings) {
 
 report::Verification path_tracer_on_trial(const Trials& trials, transport::Fault fault,
                                           const report::VerdictOptions& options) {
+  const RunAgain run = [&](const transport::AlgorithmFacts& algorithm, const transport::RenderSettings& settings) {
+    return run_trial(algorithm, trials.scene, settings, {}, {});
+  };
   transport::plant(fault);
   std::vector<TrialRun> runs;
-  runs.push_back(*run_trial(path_tracer(), trials.scene, trials.settings, {}, {}));
+  runs.push_back(*run(path_tracer(), trials.settings));
+  report::Verification verification = *verify_twice(runs, witnesses_of(trials.trusted), kinds_of_lights(trials.scene),
+                                                    kind_of_eye(trials.scene), options, trials.settings, run);
   transport::plant(transport::Fault::None);
-  return report::verify(trials_of(runs, kind_of_eye(trials.scene)), witnesses_of(trials.trusted),
-                        kinds_of_lights(trials.scene), options);
+  return verification;
 }
 
 void expect_planted_errors_are_found(const Trials& trials) {

@@ -189,17 +189,27 @@ std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs, Symbol e
   return trials;
 }
 
-transport::RenderSettings repeated_settings(transport::RenderSettings trials) {
-  trials.seed = transport::mix(trials.seed + transport::kWeyl * (record::kBatches + 1));
-  trials.samples_per_pixel *= kRepeatFactor;
-  return trials;
-}
-
-bool is_accused(const transport::AlgorithmFacts& algorithm, const report::Verification& verification) {
-  return std::any_of(verification.verdicts.begin(), verification.verdicts.end(),
-                     [&](const report::AlgorithmVerdict& verdict) {
-                       return verdict.algorithm == algorithm.name && !verdict.is_expected;
-                     });
+std::optional<report::Verification> verify_twice(std::vector<TrialRun>& runs,
+                                                 const std::vector<report::Witness>& witnesses,
+                                                 const std::vector<Symbol>& lights, Symbol eye,
+                                                 const report::VerdictOptions& options,
+                                                 const transport::RenderSettings& settings, const RunAgain& run_again) {
+  transport::RenderSettings again = settings;
+  again.seed = transport::mix(settings.seed + transport::kWeyl * (record::kBatches + 1));
+  again.samples_per_pixel *= kRepeatFactor;
+  const report::Verification first = report::verify(trials_of(runs, eye), witnesses, lights, options);
+  bool is_doubtful = false;
+  for (TrialRun& run : runs) {
+    const bool failed = std::any_of(first.verdicts.begin(), first.verdicts.end(), [&](const auto& verdict) {
+      return verdict.algorithm == run.algorithm->name && !verdict.is_expected;
+    });
+    if (!failed) continue;
+    std::optional<TrialRun> repeated = run_again(*run.algorithm, again);
+    if (!repeated) return std::nullopt;
+    run = std::move(*repeated);
+    is_doubtful = true;
+  }
+  return is_doubtful ? report::verify(trials_of(runs, eye), witnesses, lights, options) : first;
 }
 
 }  // namespace heckbert::cli

@@ -2,6 +2,7 @@
 // Algorithms run against each other: each renders the same picture many times over, independently, and the renders are
 // the batches of its evidence.
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -89,10 +90,17 @@ std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs, taxonomy
 /// was a few bright paths that chance left out shows itself, an error stays.
 inline constexpr int kRepeatFactor = 4;
 
-/// The settings of that.
-transport::RenderSettings repeated_settings(transport::RenderSettings trials);
+/// Runs an algorithm with these settings; nothing when it was stopped.
+using RunAgain =
+    std::function<std::optional<TrialRun>(const transport::AlgorithmFacts&, const transport::RenderSettings&)>;
 
-/// Did one of its predictions fail, in a way that is not known of it?
-bool is_accused(const transport::AlgorithmFacts& algorithm, const report::Verification& verification);
+/// report::verify() of the runs, made with `settings`. Those of which a prediction failed, in a way that is not known
+/// of the algorithm, are run again with other seeds and kRepeatFactor times the samples, and all are judged anew.
+/// Nothing when it was stopped.
+std::optional<report::Verification> verify_twice(std::vector<TrialRun>& runs,
+                                                 const std::vector<report::Witness>& witnesses,
+                                                 const std::vector<taxonomy::Symbol>& lights, taxonomy::Symbol eye,
+                                                 const report::VerdictOptions& options,
+                                                 const transport::RenderSettings& settings, const RunAgain& run_again);
 
 }  // namespace heckbert::cli

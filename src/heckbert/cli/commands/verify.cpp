@@ -220,18 +220,14 @@ ExitCode run(const VerifyOptions& options) {
   const std::vector<report::Witness> witnesses = witnesses_of(trusted);
   report::VerdictOptions rules{.significance = options.significance, .confidence = settings.confidence};
   if (options.fine) rules.spelling = report::Spelling::Fine;
-  report::Verification verification = report::verify(trials_of(runs, eye), witnesses, lights, rules);
-  const auto accused = [&](const TrialRun& run) { return is_accused(*run.algorithm, verification); };
-  if (std::any_of(runs.begin(), runs.end(), accused)) {
-    for (TrialRun& run : runs) {
-      if (!accused(run)) continue;
-      std::vector<TrialRun> repeated;
-      if (!run_one(run_refined_trial, *run.algorithm, repeated_settings(of_trials), everything, repeated))
-        return ExitCode::Interrupted;
-      run = std::move(repeated.front());
-    }
-    verification = report::verify(trials_of(runs, eye), witnesses, lights, rules);
-  }
+  const auto run_again = [&](const transport::AlgorithmFacts& algorithm, const transport::RenderSettings& render) {
+    std::vector<TrialRun> repeated;
+    const bool is_done = run_one(run_refined_trial, algorithm, render, everything, repeated);
+    return is_done ? std::optional(std::move(repeated.front())) : std::nullopt;
+  };
+  const auto verified = verify_twice(runs, witnesses, lights, eye, rules, of_trials, run_again);
+  if (!verified) return ExitCode::Interrupted;
+  const report::Verification& verification = *verified;
   if (options.json)
     fmt::print("{}", report::dump(to_json(options, of_trials, trusted, eye, verification)));
   else
