@@ -1,7 +1,8 @@
 #pragma once
 // Pixel filters, drawn by importance: every ray of a pixel goes through a point drawn with the filter's own density, so
 // that all its contributions stay in the pixel with weight one (Ernst, Stamminger and Greiner 2006, "Filter Importance
-// Sampling"). Samples of neighbouring pixels stay independent, and a record needs no splatting.
+// Sampling"). Samples of neighbouring pixels stay independent. A walk from the light is splatted: it goes to one of the
+// pixels whose filters reach the point where it arrives, drawn by their values there.
 
 #include <array>
 #include <optional>
