@@ -43,7 +43,7 @@ struct DeepFrame {
   void point_at(char* samples, const std::vector<unsigned>& counts, const DeepLayout& layout) {
     char** first = first_values.data();
     for (const DeepChannel& channel : layout.channels) {
-      char* next = samples + channel.offset;
+      char* next = samples == nullptr ? nullptr : samples + channel.offset;
       for (const unsigned count : counts) {
         *first++ = count == 0 ? nullptr : next;
         next += count * layout.bytes;
