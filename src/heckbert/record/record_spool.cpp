@@ -138,7 +138,7 @@ bool RecordSpool::is_folded() const {
 SumsStream RecordSpool::stream(bool partial) const {
   SumsStream stream{info_, is_folded() ? Tile{} : words_->tile(), [this] {
                       auto reader = std::make_shared<RowReader>(*this);
-                      return [this, reader](SumsBand& band) { read_band(*reader, band); };
+                      return [reader](SumsBand& band) { read_band(*reader, band); };
                     }};
   stream.info.partial = partial;
   Tile& totals = stream.totals;
