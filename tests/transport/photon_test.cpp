@@ -2,7 +2,10 @@
 // pi r^2, whatever the curvature; where light is spread evenly, as in the anchors A1 and A2, the estimate from photons
 // is therefore right for every radius, word by word. In a box it is not: near the edges part of the disc is missing.
 
+#include <map>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -13,8 +16,8 @@
 namespace heckbert::transport {
 namespace {
 
-constexpr AlgorithmId kMerging[] = {AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons,
-                                    AlgorithmId::ConnectionAndMerging};
+constexpr AlgorithmId kMerging[] = {AlgorithmId::PhotonMap, AlgorithmId::FinalGathering,
+                                    AlgorithmId::ProgressivePhotons, AlgorithmId::ConnectionAndMerging};
 constexpr double kD = 0.5, kS = 0.3;
 
 Material wall(float emission) {
@@ -61,6 +64,37 @@ TEST(Photons, OfAPointFindWhatNoJoinedWalksCan) {
     EXPECT_TRUE(taxonomy::strategies(spelt).empty()) << word;
     EXPECT_EQ(energy_of(joined, word).mean, 0) << word;
   }
+}
+
+/// How final gathering should find a word over D and S: what the diffuse surface nearest the eye is lit by decides.
+record::Technique part_of(const std::string& word) {
+  const std::string events = word.substr(1, word.size() - 2);
+  const std::size_t last = events.rfind('D');
+  if (last == std::string::npos) return record::Technique::Hit;
+  if (last == 0) return record::Technique::NextEvent;
+  const std::size_t gathered = events.rfind('D', last - 1);
+  const std::size_t merged = gathered == std::string::npos ? last : gathered;
+  return {static_cast<std::uint16_t>(merged + 2), true};  // the light, and the surfaces up to there
+}
+
+TEST(FinalGathering, FindsEveryWordInOneWay) {
+  std::map<std::string, std::set<record::Technique>> found, expected;
+  for (const record::TechniqueSum& sum :
+       measure_techniques(inside_sphere(wall(1)), settings_of(AlgorithmId::FinalGathering, 0.1f)))
+    found[taxonomy::plain(sum.word)].insert(sum.technique);
+  for (const std::string& word : words_over_ds(4)) expected[word] = {part_of(word)};
+  EXPECT_EQ(found, expected);
+}
+
+// Rays and photons only share the work.
+TEST(FinalGathering, GivesTheSameForAnyNumberOfRaysAndPhotons) {
+  std::map<std::string, double> truth;
+  for (const std::string& word : words_over_ds(3)) truth[word] = product_of_albedos(word, kD, kS);
+  RenderSettings settings = settings_of(AlgorithmId::FinalGathering, 0.1f);
+  settings.seed = 8;
+  settings.method.photons_per_pixel = 3;
+  settings.method.gather_rays = 1;
+  expect_energies(render(inside_sphere(wall(1)), settings), truth);
 }
 
 TEST(Photons, LoseTheLightOfEdgesInProportionToTheRadius) {

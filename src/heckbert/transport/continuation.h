@@ -121,6 +121,25 @@ inline Continuation follow_non_delta(const Vertex& vertex, Drawn sampled, Sample
           .transmitted = transmitted};
 }
 
+/// One way on by one lobe that has no Dirac, as if it were alone.
+inline Continuation follow_alone(const Vertex& vertex, const Lobe& lobe, Sampler& sampler) {
+  const glm::vec2 u = sampler.next2();
+  const glm::vec3 drawn =
+      sample_direction(lobe, vertex.wo, {u, is_branching(lobe) ? sampler.next() : 0.0f}, vertex.hit.front);
+  if (drawn.z == 0) return {};
+  const glm::vec3 wi = vertex.local(vertex.frame.to_world(drawn));
+  if (wi.z == 0) return {};
+  const LobeValue value = value_and_pdf(lobe, vertex.wo, wi, vertex.hit.front);
+  if (!(value.pdf_solid_angle > 0)) return {};
+  const bool transmitted = wi.z < 0;
+  return {.ray = vertex.leave(wi, transmitted),
+          .event = letter(lobe, transmitted),
+          .factor = value.f * (std::abs(wi.z) / value.pdf_solid_angle),
+          .pdf_solid_angle = value.pdf_solid_angle,
+          .radiance_scale = transmitted ? radiance_compression(lobe, vertex.hit.front) : 1.0f,
+          .transmitted = transmitted};
+}
+
 /// One way on from the vertex.
 inline Continuation follow(const Vertex& vertex, Sampler& sampler) {
   const std::optional<Drawn> lobe = draw_lobe(vertex, sampler);

@@ -8,7 +8,9 @@ namespace heckbert::transport {
 struct Method {
   RadiositySettings radiosity{};
   float photon_radius =
-      0.01f;  ///< within which photons are near, of the radius of scene and eye; progressive: at first
+      0.01f;                  ///< within which photons are near, of the radius of scene and eye; progressive: at first
+  int photons_per_pixel = 1;  ///< walks from the light that leave photons, for each pixel and pass
+  int gather_rays = 4;        ///< from each diffuse lobe
   bool operator==(const Method&) const = default;
 };
 

@@ -24,8 +24,12 @@ struct MethodOption {
 };
 
 inline constexpr std::array<AlgorithmId, 2> kOverPatches{AlgorithmId::Radiosity, AlgorithmId::RadiosityMirrors};
-inline constexpr std::array<AlgorithmId, 3> kWithPhotons{AlgorithmId::PhotonMap, AlgorithmId::ProgressivePhotons,
+inline constexpr std::array<AlgorithmId, 4> kWithPhotons{AlgorithmId::PhotonMap, AlgorithmId::FinalGathering,
+                                                         AlgorithmId::ProgressivePhotons,
                                                          AlgorithmId::ConnectionAndMerging};
+/// Without the one whose samples have a walk each.
+inline constexpr auto kWithFreePhotons = std::span(kWithPhotons).first<3>();
+inline constexpr std::array<AlgorithmId, 1> kGathering{AlgorithmId::FinalGathering};
 
 inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"patch-edge", "longest edge of a patch, over the diagonal of the scene", kOverPatches, 1e-4, 1, false,
@@ -46,6 +50,12 @@ inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"photon-radius", "within which photons are near, over the radius of the scene; sppm, vcm: at first", kWithPhotons,
      1e-6, 1, false, [](const Method& m) { return static_cast<double>(m.photon_radius); },
      [](Method& m, double value) { m.photon_radius = static_cast<float>(value); }, 1},
+    {"photons", "walks from the light for photons, for each pixel", kWithFreePhotons, 1, 1e4, true,
+     [](const Method& m) { return static_cast<double>(m.photons_per_pixel); },
+     [](Method& m, double value) { m.photons_per_pixel = static_cast<int>(value); }},
+    {"gather-rays", "rays that gather light from the photons of other surfaces", kGathering, 1, 1e4, true,
+     [](const Method& m) { return static_cast<double>(m.gather_rays); },
+     [](Method& m, double value) { m.gather_rays = static_cast<int>(value); }},
 });
 
 /// Does the algorithm read it?

@@ -1,7 +1,6 @@
 #include <heckbert/transport/pass.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include <heckbert/transport/instant_radiosity.h>
 
@@ -19,29 +18,26 @@ float shrinking(int sample) {
 }  // namespace
 
 Pass::Pass(const World& world, const RenderSettings& settings, const SamplePlan& plan, int sample) : world_(world) {
-  const float radius = settings.method.photon_radius * world.emission.radius();
-  switch (settings.algorithm) {
-    case AlgorithmId::PhotonMap:
-      photons_.emplace(world_, plan, sample, radius);
-      break;
-    case AlgorithmId::ProgressivePhotons:
-      photons_.emplace(world_, plan, sample, radius * shrinking(sample));
-      break;
-    case AlgorithmId::ConnectionAndMerging: {
-      const float now = radius * shrinking(sample);
-      world_.merging = squared(static_cast<double>(now)) * kPi * static_cast<double>(world.window.pixel_count());
-      photons_.emplace(world_, plan, sample, now);
-      break;
-    }
-    case AlgorithmId::InstantRadiosity:
-    case AlgorithmId::InstantRadiosityClamped:
-      lights_ = virtual_lights(world_, plan, sample);
-      world_.virtual_lights = &lights_;
-      break;
-    default:
-      throw std::logic_error("an algorithm by passes that has nothing to share");
+  if (settings.algorithm == AlgorithmId::InstantRadiosity ||
+      settings.algorithm == AlgorithmId::InstantRadiosityClamped) {
+    lights_ = virtual_lights(world_, plan, sample);
+    world_.virtual_lights = &lights_;
+    return;
   }
-  if (photons_) world_.photons = &*photons_;
+  PhotonSettings photons{.radius = settings.method.photon_radius * world.emission.radius(),
+                         .walks_per_pixel = settings.method.photons_per_pixel};
+  const bool merges = settings.algorithm == AlgorithmId::ConnectionAndMerging;
+  if (merges || settings.algorithm == AlgorithmId::ProgressivePhotons) photons.radius *= shrinking(sample);
+  if (merges) {
+    photons.walks_per_pixel = 1;
+    world_.merging =
+        squared(static_cast<double>(photons.radius)) * kPi * static_cast<double>(world.window.pixel_count());
+  }
+  world_.photons = &photons_.emplace(world_, plan, sample, photons);
+  if (settings.algorithm != AlgorithmId::FinalGathering) return;
+  world_.gather_rays = settings.method.gather_rays;
+  photons.caustics_only = true;
+  world_.caustics = &caustics_.emplace(world_, plan, sample, photons);
 }
 
 }  // namespace heckbert::transport

@@ -24,7 +24,7 @@ class Pass {
 
  private:
   World world_;
-  std::optional<PhotonMap> photons_;
+  std::optional<PhotonMap> photons_, caustics_;
   std::deque<LightWalk> lights_;
 };
 

@@ -29,31 +29,37 @@ struct PhotonMap::Row {
   std::uint64_t rays = 0;
 
   /// Leaves a photon wherever the walk came to a surface that is not all specular.
-  void add(const World& world, const LightWalk& light) {
+  void add(const World& world, const LightWalk& light, bool caustics_only) {
     if (!light.start || light.vertices.empty()) return;
     auto way = static_cast<std::uint32_t>(ways.size());
     ways.push_back({.event = {light.start->kind, world.labels.light(light.start->source)}});
     for (std::size_t i = 0; i < light.vertices.size(); ++i) {
       const LightVertex& at = light.vertices[i];
-      if (can_be_joined(at))
+      if (can_be_joined(at) && (!caustics_only || i > 0))
         photons.push_back({at.hit.position, at.to_light, at.hit.normal_geometric, at.throughput, at.rivals, way,
                            static_cast<std::uint16_t>(i + 1)});
       if (i == light.events.size()) break;
+      if (caustics_only && taxonomy::facts(light.events[i].symbol).letter == 'D') break;
       ways.push_back({light.events[i], way});
       way = static_cast<std::uint32_t>(ways.size() - 1);
     }
   }
 };
 
-PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius)
-    : radius_(radius), walks_(world.window.pixel_count()) {
+PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, const PhotonSettings& settings)
+    : radius_(settings.radius),
+      walks_(world.window.pixel_count() * static_cast<std::size_t>(settings.walks_per_pixel)) {
   const record::Window& window = world.window;
   std::vector<Row> rows(static_cast<std::size_t>(window.height()));
   tbb::parallel_for(window.y0, window.y1, [&](int y) {
     Row& row = rows[static_cast<std::size_t>(y - window.y0)];
     for (int x = window.x0; x < window.x1; ++x) {
-      Sampler sampler = Sampler(plan, x, y, sample).split();
-      row.add(world, walk_from_light(world, row.rays, sampler));
+      Sampler of_walk(plan, x, y, sample);
+      for (int i = 0; i < settings.walks_per_pixel; ++i) {
+        of_walk = of_walk.split();
+        Sampler sampler = of_walk;
+        row.add(world, walk_from_light(world, row.rays, sampler), settings.caustics_only);
+      }
     }
   });
   for (Row& row : rows) {

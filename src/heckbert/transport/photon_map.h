@@ -2,9 +2,9 @@
 // Photons (Jensen 1996, "Global Illumination using Photon Maps"): where the light of many walks arrived at surfaces
 // that are not specular. Each photon keeps the way it came, so that light found through it has its word.
 //
-// A map belongs to one sample number: one walk from the light for every pixel of the picture, drawn from that pixel's
-// and sample's random numbers, so that the map is the same for any number of threads, and every sample number has a map
-// of its own (Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach").
+// A map belongs to one sample number: walks from the light for every pixel of the picture, drawn from that pixel's and
+// sample's random numbers, so that the map is the same for any number of threads, and every sample number has a map of
+// its own (Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach").
 
 #include <cstdint>
 #include <memory>
@@ -24,11 +24,17 @@ struct Photon {
   std::uint16_t vertices = 0;  ///< surfaces on its walk, this one too
 };
 
+struct PhotonSettings {
+  float radius = 0;            ///< within which photons are near each other
+  int walks_per_pixel = 1;     ///< of world.window
+  bool caustics_only = false;  ///< only what came by mirrors, glass and gloss, and not straight from the light
+};
+
 class PhotonMap {
  public:
-  /// Walks once per pixel of world.window, as that pixel's sample does whose algorithm walks from the light too;
-  /// photons within `radius` of each other are near. Cost: n log n.
-  PhotonMap(const World& world, const SamplePlan& plan, int sample, float radius);
+  /// The first walk of a pixel is that of its sample, where the algorithm walks from the light for each of them. Cost:
+  /// n log n.
+  PhotonMap(const World& world, const SamplePlan& plan, int sample, const PhotonSettings& settings);
   ~PhotonMap();
   PhotonMap(const PhotonMap&) = delete;
   PhotonMap& operator=(const PhotonMap&) = delete;

@@ -21,7 +21,9 @@ bool has_technique(Reach reach, const taxonomy::Word& word, std::size_t light_ve
     case Reach::Eye:
       return light_vertices == 0 || asks_for_light;
     case Reach::Shiny:
-      return asks_for_light || (light_vertices == 0 && std::ranges::none_of(word.events, is_diffuse));
+      return (light_vertices == 0 || asks_for_light) &&
+             std::none_of(word.events.begin() + static_cast<std::ptrdiff_t>(light_vertices), word.events.end(),
+                          is_diffuse);
     case Reach::Matt:
       return is_mirrored_light || (ends_at_matt && light_vertices == 1);
     case Reach::Light:

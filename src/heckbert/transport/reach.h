@@ -13,7 +13,7 @@ enum class Reach : std::uint8_t {
   Hit,        ///< walks from the eye that run into a light
   NextEvent,  ///< walks from the eye that ask for a light at a surface
   Eye,        ///< both of these
-  Shiny,      ///< both of these, but walks end at diffuse surfaces
+  Shiny,      ///< both of these, but walks end at the first diffuse surface
   Matt,       ///< walks through mirrors to a light, or to the first other surface, where a light is asked for
   Light,      ///< walks from the light that run into the lens or ask for the eye
   Both,       ///< all pairs of walks

@@ -1,7 +1,6 @@
 #include <heckbert/transport/recursive_tracer.h>
 
-#include <cmath>
-
+#include <heckbert/transport/continuation.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -74,7 +73,7 @@ class Tree {
       if (is_delta(lobe))
         spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
       else if (options_.spread_glossy && taxonomy::facts(letter(lobe)).letter == 'G')
-        spawned |= spread(branch, vertex, lobe);
+        spawned |= spawn(branch, vertex, follow_alone(vertex, lobe, walk_.sampler));
     // Only where the ray would end: two rays at full strength from every wall would be a tree without bound.
     if (!spawned && !past_the_limit_ && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
       spawned = spawn_phantom(branch, vertex);
@@ -112,20 +111,28 @@ class Tree {
     return reflected || transmitted;
   }
 
-  bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted,
-             float pdf_solid_angle = 0) {
-    if (is_black(child.weight)) return false;
+  bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted) {
+    return spawn(parent, vertex,
+                 Continuation{.ray = vertex.leave(child.wi, transmitted),
+                              .event = child.event,
+                              .factor = child.weight,
+                              .radiance_scale = child.radiance_scale,
+                              .transmitted = transmitted});
+  }
+
+  bool spawn(const Branch& parent, const Vertex& vertex, const Continuation& child) {
+    if (is_black(child.factor)) return false;
     Branch next{
-        .ray = vertex.leave(child.wi, transmitted),
+        .ray = child.ray,
         .node = parent.phantom ? parent.node : walk_.step(parent.node, child.event, world_.labels.surface(vertex.hit)),
-        .weight = parent.weight * child.weight,
+        .weight = parent.weight * child.factor,
         .radiance_scale = parent.radiance_scale * child.radiance_scale,
-        .pdf_solid_angle = pdf_solid_angle,
+        .pdf_solid_angle = child.pdf_solid_angle,
         .spread_from = vertex.hit.position,
         .depth = parent.depth + 1,
         .phantom = parent.phantom,
         .bodies = parent.bodies};
-    if (transmitted && world_.has_bodies) next.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
+    if (child.transmitted && world_.has_bodies) next.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     descend(next);
     return true;
   }
@@ -135,23 +142,6 @@ class Tree {
   template <class Pdf>
   float weight_of(const Branch& branch, Pdf pdf) const {
     return branch.pdf_solid_angle > 0 ? power_heuristic(branch.pdf_solid_angle, pdf()) : 1.0f;
-  }
-
-  bool spread(const Branch& parent, const Vertex& vertex, const Lobe& lobe) {
-    const glm::vec2 u = walk_.sampler.next2();
-    const glm::vec3 drawn =
-        sample_direction(lobe, vertex.wo, {u, is_branching(lobe) ? walk_.sampler.next() : 0.0f}, vertex.hit.front);
-    if (drawn.z == 0) return false;
-    const glm::vec3 wi = vertex.local(vertex.frame.to_world(drawn));
-    if (wi.z == 0) return false;
-    const LobeValue value = value_and_pdf(lobe, vertex.wo, wi, vertex.hit.front);
-    if (!(value.pdf_solid_angle > 0)) return false;
-    const bool transmitted = wi.z < 0;
-    const DeltaBranch child{.event = letter(lobe, transmitted),
-                            .wi = wi,
-                            .weight = value.f * (std::abs(wi.z) / value.pdf_solid_angle),
-                            .radiance_scale = transmitted ? radiance_compression(lobe, vertex.hit.front) : 1.0f};
-    return spawn(parent, vertex, child, transmitted, value.pdf_solid_angle);
   }
 
   bool spawn_phantom(const Branch& parent, const Vertex& vertex) {

@@ -70,6 +70,8 @@ void check(const Scene& scene, const RenderSettings& settings) {
   require(settings.skip.empty() || !algorithm.passes,
           fmt::format("{} goes over the whole picture for each sample number: it skips no pixels", algorithm.title));
   require(settings.method.photon_radius > 0, "the radius within which photons are near must be above 0");
+  require(settings.method.photons_per_pixel > 0 && settings.method.gather_rays > 0,
+          "there must be at least one photon, and one ray to gather its light");
   require(!algorithm.patches || settings.labels == LabelRule{},
           "radiosity knows how often light was scattered, but not where: it can label no letters");
   for (const Material& material : scene.materials) check_material(scene, material);

@@ -3,6 +3,7 @@
 #include <heckbert/transport/ambient_occlusion.h>
 #include <heckbert/transport/bidirectional.h>
 #include <heckbert/transport/fault.h>
+#include <heckbert/transport/final_gathering.h>
 #include <heckbert/transport/instant_radiosity.h>
 #include <heckbert/transport/light_tracer.h>
 #include <heckbert/transport/local_shading.h>
@@ -63,6 +64,8 @@ void trace(const World& world, Walk& walk, int x, int y, AlgorithmId algorithm) 
     case AlgorithmId::PhotonMap:
     case AlgorithmId::ProgressivePhotons:
       return trace_to_photons(world, walk, ray());
+    case AlgorithmId::FinalGathering:
+      return trace_with_final_gathering(world, walk, ray());
     case AlgorithmId::InstantRadiosity:
       return trace_to_virtual_lights(world, walk, ray(), 0);
     case AlgorithmId::InstantRadiosityClamped:
