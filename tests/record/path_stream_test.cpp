@@ -114,6 +114,13 @@ TEST(PathStream, EndsOfWordsWithoutKindsAreTheHeaders) {
               ElementsAre(taxonomy::parse_word("Le'a sky'El"), "LaVEl"_word, "LeDEl"_word, "LeGEp"_word, "LeSEl"_word));
 }
 
+TEST(PathStream, LettersWithinLabelsAreNoEnds) {
+  const Record record =
+      read(text_with("light Le\n", "0 0 La'wall''LE'Dr'a''E'E 1 1 1 1\n0 0 L'a''b'E 1 1 1 1\n"));
+  EXPECT_THAT(record.words, ::testing::UnorderedElementsAre(taxonomy::parse_word("La'wall''LE'Dr'a''E'E"),
+                                                            taxonomy::parse_word("Le'a''b'E")));
+}
+
 TEST(PathStream, HasNoIntervals) {
   const Record record = read(text_with("", "0 0 LDE 4 4 4 1\n1 0 LE 4 4 4 1\n"));
   EXPECT_FALSE(record.info.has_batches);

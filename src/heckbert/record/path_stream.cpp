@@ -23,7 +23,7 @@ namespace {
 taxonomy::Word word_of(std::string_view text, const PathStreamHeader& header) {
   taxonomy::Word word = taxonomy::parse_word(text);
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] == '\'') at += taxonomy::read_label(text, at)->length;
+    while (at < text.size() && text[at] == '\'') at += taxonomy::read_label(text, at)->length;
     if (at + 1 < text.size() && taxonomy::is_lower(text[at + 1])) continue;
     if (text.substr(at, 1) == "L") word.light = header.light;
     if (text.substr(at, 1) == "E" || text.substr(at, 1) == "C") word.eye = header.eye;
