@@ -109,6 +109,18 @@ bool is_preview(Bytes value) {
   return width && height && value.left() == 4 * std::uint64_t{*width} * *height;
 }
 
+/// OpenEXR counts lines before it looks for them. Each has a place in the table of chunks, of eight bytes, that at most
+/// 256 lines share.
+bool is_window_of(std::uint64_t file_bytes, Bytes value) {
+  value.skip(4);
+  const auto first = value.number();
+  value.skip(4);
+  const auto last = value.number();
+  if (!first || !last) return false;
+  const std::int64_t lines = std::int64_t{static_cast<std::int32_t>(*last)} - static_cast<std::int32_t>(*first) + 1;
+  return lines > 0 && static_cast<std::uint64_t>(lines) <= 256 / 8 * file_bytes;
+}
+
 bool fits(std::string_view type, Bytes value) {
   const auto fixed = std::ranges::find(kFixedSizes, type, &FixedSize::type);
   if (fixed != kFixedSizes.end()) return value.left() == fixed->bytes;
@@ -119,7 +131,7 @@ bool fits(std::string_view type, Bytes value) {
 }
 
 /// Where the header ends is where the stream is left.
-void check_header(Bytes& file, std::istream& in, bool has_manifest = false) {
+void check_header(Bytes& file, std::istream& in, std::uint64_t file_bytes, bool has_manifest = false) {
   for (;;) {
     const auto name = file.text();
     const auto refuse = [&](std::string_view why) {
@@ -134,6 +146,10 @@ void check_header(Bytes& file, std::istream& in, bool has_manifest = false) {
     if (!fits(*type, Bytes(in, *size))) refuse("sizes do not fit in the attribute");
     in.clear();
     in.seekg(value);
+    if (*name == "dataWindow" && !is_window_of(file_bytes, Bytes(in, *size)))
+      refuse("there are not as many lines as in");
+    in.clear();
+    in.seekg(value);
     file.skip(*size);
     if (*type != "idmanifest") continue;
 
@@ -143,10 +159,10 @@ void check_header(Bytes& file, std::istream& in, bool has_manifest = false) {
     const auto next = in.tellg();
     Bytes eaten = file;
     if (!eaten.skip(4)) refuse("its header ends inside the attribute");
-    check_header(eaten, in, true);
+    check_header(eaten, in, file_bytes, true);
     const auto end = in.tellg();
     in.seekg(next);
-    check_header(file, in, true);
+    check_header(file, in, file_bytes, true);
     if (in.tellg() != end) refuse("sizes do not fit behind the attribute");
     return;
   }
@@ -159,7 +175,7 @@ void check_headers(std::istream& in, std::uint64_t file_bytes) {
   constexpr std::uint32_t kSeveralParts = 1u << 12;
   file.number();
   const bool is_single = (file.number().value_or(0) & kSeveralParts) == 0;
-  do check_header(file, in);
+  do check_header(file, in, file_bytes);
   while (!is_single && in.peek() != '\0');  // an empty header ends the list
 }
 
