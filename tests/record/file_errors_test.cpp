@@ -129,20 +129,21 @@ TEST(ReadRecord, RefusesSizesThatDoNotFitTheTypeOfAnAttribute) {
   }
 }
 
-// OpenEXR allocates for every line before it looks whether the file has any.
-TEST(ReadRecord, RefusesMoreLinesThanTheFileHasRoomFor) {
+// OpenEXR allocates for every line and column before it looks whether the file has any.
+TEST(ReadRecord, RefusesMorePixelsThanTheFileHasRoomFor) {
   using namespace std::string_literals;
   const TemporaryFolder folder;
   write_record(good_record(), folder / "whole.exr");
   const std::string whole = bytes_of(folder / "whole.exr");
   const std::string attribute = "dataWindow\0box2i\0"s;
-  const std::size_t last_line = whole.find(attribute) + attribute.size() + 4 + 12;
-  for (const std::string& bytes : {"\0\x20\x26\x20"s, "\xFE\xFF\xFF\xFF"s}) {
-    std::string damaged = whole;
-    damaged.replace(last_line, 4, bytes);
-    put_bytes(folder / "damaged.exr", damaged);
-    EXPECT_THAT(read_message(folder / "damaged.exr"), HasSubstr("there are not as many lines as in 'dataWindow'"));
-  }
+  const std::size_t corners = whole.find(attribute) + attribute.size() + 4;
+  for (const std::size_t last : {corners + 8, corners + 12})
+    for (const std::string& bytes : {"\x01\0\x20\x26"s, "\xFE\xFF\xFF\xFF"s}) {
+      std::string damaged = whole;
+      damaged.replace(last, 4, bytes);
+      put_bytes(folder / "damaged.exr", damaged);
+      EXPECT_THAT(read_message(folder / "damaged.exr"), HasSubstr("there are not as many pixels as in 'dataWindow'"));
+    }
 }
 
 // What fuzzing starts from must not be refused for its layout alone.

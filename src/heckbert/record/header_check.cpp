@@ -109,16 +109,21 @@ bool is_preview(Bytes value) {
   return width && height && value.left() == 4 * std::uint64_t{*width} * *height;
 }
 
-/// OpenEXR counts lines before it looks for them. Each has a place in the table of chunks, of eight bytes, that at most
-/// 256 lines share.
+/// OpenEXR allocates for every line, and for every pixel of one, before it looks for them. A line has a place in the
+/// table of chunks, of eight bytes, that at most 256 lines share; a pixel of a line has at least a byte, which deflate
+/// packs to a 1032nd at best (zlib, "Technical Details").
 bool is_window_of(std::uint64_t file_bytes, Bytes value) {
-  value.skip(4);
-  const auto first = value.number();
-  value.skip(4);
-  const auto last = value.number();
-  if (!first || !last) return false;
-  const std::int64_t lines = std::int64_t{static_cast<std::int32_t>(*last)} - static_cast<std::int32_t>(*first) + 1;
-  return lines > 0 && static_cast<std::uint64_t>(lines) <= 256 / 8 * file_bytes;
+  std::array<std::int64_t, 4> corners{};  // x and y of the first, x and y of the last
+  for (std::int64_t& corner : corners) {
+    const auto number = value.number();
+    if (!number) return false;
+    corner = static_cast<std::int32_t>(*number);
+  }
+  const std::int64_t columns = corners[2] - corners[0] + 1, lines = corners[3] - corners[1] + 1;
+  const auto is_most = [](std::int64_t count, std::uint64_t most) {
+    return count > 0 && static_cast<std::uint64_t>(count) <= most;
+  };
+  return is_most(columns, 1032 * file_bytes) && is_most(lines, 256 / 8 * file_bytes);
 }
 
 bool fits(std::string_view type, Bytes value) {
@@ -147,7 +152,7 @@ void check_header(Bytes& file, std::istream& in, std::uint64_t file_bytes, bool 
     in.clear();
     in.seekg(value);
     if (*name == "dataWindow" && !is_window_of(file_bytes, Bytes(in, *size)))
-      refuse("there are not as many lines as in");
+      refuse("there are not as many pixels as in");
     in.clear();
     in.seekg(value);
     file.skip(*size);
