@@ -30,6 +30,8 @@ inline constexpr std::array<AlgorithmId, 4> kWithPhotons{AlgorithmId::PhotonMap,
 /// Without the one whose samples have a walk each.
 inline constexpr auto kWithFreePhotons = std::span(kWithPhotons).first<3>();
 inline constexpr std::array<AlgorithmId, 1> kGathering{AlgorithmId::FinalGathering};
+inline constexpr std::array<AlgorithmId, 3> kRecursive{AlgorithmId::Whitted, AlgorithmId::Lecture,
+                                                       AlgorithmId::Distribution};
 
 inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"patch-edge", "longest edge of a patch, over the diagonal of the scene", kOverPatches, 1e-4, 1, false,
@@ -56,6 +58,9 @@ inline constexpr auto kMethodOptions = std::to_array<MethodOption>({
     {"gather-rays", "rays that gather light from the photons of other surfaces", kGathering, 1, 1e4, true,
      [](const Method& m) { return static_cast<double>(m.gather_rays); },
      [](Method& m, double value) { m.gather_rays = static_cast<int>(value); }},
+    {"one-branch", "1: one of a surface's rays is followed, drawn at random; 0: all", kRecursive, 0, 1, true,
+     [](const Method& m) { return m.one_branch ? 1.0 : 0.0; },
+     [](Method& m, double value) { m.one_branch = value != 0; }},
 });
 
 /// Does the algorithm read it?

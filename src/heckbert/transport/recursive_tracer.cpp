@@ -68,12 +68,7 @@ class Tree {
 
   void go_on(const Branch& branch, const Vertex& vertex) {
     shade(branch, vertex);
-    bool spawned = false;
-    for (const Lobe& lobe : vertex.lobes())
-      if (is_delta(lobe))
-        spawned |= spawn(branch, vertex, delta_branches(lobe, vertex.wo, vertex.hit.front));
-      else if (options_.spread_glossy && taxonomy::facts(letter(lobe)).letter == 'G')
-        spawned |= spawn(branch, vertex, follow_alone(vertex, lobe, walk_.sampler));
+    bool spawned = options_.one_branch ? spawn_one(branch, vertex) : spawn_all(branch, vertex);
     // Only where the ray would end: two rays at full strength from every wall would be a tree without bound.
     if (!spawned && !past_the_limit_ && options_.mirror_at_diffuse && !is_black(vertex.material->phantom_reflectance))
       spawned = spawn_phantom(branch, vertex);
@@ -105,19 +100,49 @@ class Tree {
     }
   }
 
-  bool spawn(const Branch& branch, const Vertex& vertex, const DeltaBranches& children) {
-    const bool reflected = spawn(branch, vertex, children.reflected, false);
-    const bool transmitted = children.transmitted && spawn(branch, vertex, *children.transmitted, true);
-    return reflected || transmitted;
+  /// Hands each ray that leaves the surface to `take`, as it is made.
+  template <class Take>
+  void offer_branches(const Vertex& vertex, Take take) {
+    const auto delta = [&](const DeltaBranch& child, bool transmitted) {
+      take(Continuation{.ray = vertex.leave(child.wi, transmitted),
+                        .event = child.event,
+                        .factor = child.weight,
+                        .radiance_scale = child.radiance_scale,
+                        .transmitted = transmitted});
+    };
+    for (const Lobe& lobe : vertex.lobes())
+      if (is_delta(lobe)) {
+        const DeltaBranches children = delta_branches(lobe, vertex.wo, vertex.hit.front);
+        delta(children.reflected, false);
+        if (children.transmitted) delta(*children.transmitted, true);
+      } else if (options_.spread_glossy && taxonomy::facts(letter(lobe)).letter == 'G') {
+        take(follow_alone(vertex, lobe, walk_.sampler));
+      }
   }
 
-  bool spawn(const Branch& parent, const Vertex& vertex, const DeltaBranch& child, bool transmitted) {
-    return spawn(parent, vertex,
-                 Continuation{.ray = vertex.leave(child.wi, transmitted),
-                              .event = child.event,
-                              .factor = child.weight,
-                              .radiance_scale = child.radiance_scale,
-                              .transmitted = transmitted});
+  bool spawn_all(const Branch& branch, const Vertex& vertex) {
+    bool spawned = false;
+    offer_branches(vertex, [&](const Continuation& child) { spawned |= spawn(branch, vertex, child); });
+    return spawned;
+  }
+
+  /// Of branches with shares a, b, c, ... each takes the place of those before it with its share of the sum so far, and
+  /// so is left with its share of the whole (Chao 1982, "A general purpose unequal probability sampling plan").
+  bool spawn_one(const Branch& branch, const Vertex& vertex) {
+    Continuation chosen;
+    float share_chosen = 0, sum = 0;
+    offer_branches(vertex, [&](const Continuation& child) {
+      const float share = max_channel(child.factor) / child.radiance_scale;
+      if (!(share > 0)) return;
+      const bool is_first = sum == 0;
+      sum += share;
+      if (!is_first && walk_.sampler.next() * sum >= share) return;
+      chosen = child;
+      share_chosen = share;
+    });
+    if (sum == 0) return false;
+    chosen.factor *= sum / share_chosen;
+    return spawn(branch, vertex, chosen);
   }
 
   bool spawn(const Branch& parent, const Vertex& vertex, const Continuation& child) {

@@ -8,6 +8,10 @@
 // kind of branch: rays spread over the glossy lobes, as over the lens and the lamps. It finds LD?(G|S)*E. A light that
 // a spread ray can hit is found in two ways, which are weighted against each other lobe by lobe (Veach 1997, 9.2).
 //
+// The tree may be followed along one branch at a time, drawn by what the branches carry (Cook et al. 1984, 3.2; Arvo
+// and Kirk 1990, "Particle Transport and Image Synthesis"): the same on average, without rays that double at every
+// glass.
+//
 // Two things it shows are no light paths and never enter a word: the ambient term (its own buffer), and, in the
 // lecture's variant, the ray continued in the mirror direction at a diffuse surface, all of whose light goes to the
 // phantom buffer.
@@ -20,6 +24,7 @@ struct RecursiveOptions {
   bool glossy_highlights = true;   ///< shade glossy lobes by the direct light, as a Phong highlight
   bool spread_glossy = false;      ///< rays over glossy lobes: distribution ray tracing
   bool mirror_at_diffuse = false;  ///< the lecture's continued ray, weighted by Material::phantom_reflectance
+  bool one_branch = false;         ///< of the rays that leave a surface one is followed, drawn by what it carries
 };
 
 void trace_recursively(const World& world, Walk& walk, const Ray& ray, const RecursiveOptions& options);

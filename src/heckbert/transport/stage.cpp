@@ -41,6 +41,7 @@ Stage::Stage(const Scene& scene, const RenderSettings& settings)
              picture_window(settings),
              1.0f / static_cast<float>(picture_window(settings).pixel_count()),
              planted()} {
+  world_.one_branch = settings.method.one_branch;
   if (!facts(settings.algorithm).patches) return;
   radiosity_ = std::make_unique<RadiositySolution>(scene, tracer_, lights_, settings.method.radiosity,
                                                    settings.max_depth + kBouncesPastTheLimit, settings.seed);
@@ -71,11 +72,12 @@ void trace(const World& world, Walk& walk, int x, int y, AlgorithmId algorithm) 
     case AlgorithmId::InstantRadiosityClamped:
       return trace_to_virtual_lights(world, walk, ray(), kClampedDistance * world.emission.radius());
     case AlgorithmId::Whitted:
-      return trace_recursively(world, walk, ray(), {});
+      return trace_recursively(world, walk, ray(), {.one_branch = world.one_branch});
     case AlgorithmId::Lecture:
-      return trace_recursively(world, walk, ray(), {.glossy_highlights = false, .mirror_at_diffuse = true});
+      return trace_recursively(world, walk, ray(),
+                               {.glossy_highlights = false, .mirror_at_diffuse = true, .one_branch = world.one_branch});
     case AlgorithmId::Distribution:
-      return trace_recursively(world, walk, ray(), {.spread_glossy = true});
+      return trace_recursively(world, walk, ray(), {.spread_glossy = true, .one_branch = world.one_branch});
     case AlgorithmId::RayCasting:
       return cast_ray(world, walk, ray());
     case AlgorithmId::LocalShading:

@@ -45,7 +45,8 @@ struct World {
   Fault fault{};            ///< none, but in tests
   /// Where walks are merged too (vertex_merging.h), pi r^2 times the number of walks from the light; 0 elsewhere.
   double merging = 0;
-  int gather_rays = 1;  ///< of final gathering, from each diffuse lobe
+  int gather_rays = 1;      ///< of final gathering, from each diffuse lobe
+  bool one_branch = false;  ///< RecursiveOptions
   /// Of the sample number under way, for algorithms that use them.
   const PhotonMap* photons = nullptr;
   const PhotonMap* caustics = nullptr;  ///< those of caustics alone, for final gathering
