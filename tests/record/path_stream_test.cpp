@@ -115,8 +115,7 @@ TEST(PathStream, EndsOfWordsWithoutKindsAreTheHeaders) {
 }
 
 TEST(PathStream, LettersWithinLabelsAreNoEnds) {
-  const Record record =
-      read(text_with("light Le\n", "0 0 La'wall''LE'Dr'a''E'E 1 1 1 1\n0 0 L'a''b'E 1 1 1 1\n"));
+  const Record record = read(text_with("light Le\n", "0 0 La'wall''LE'Dr'a''E'E 1 1 1 1\n0 0 L'a''b'E 1 1 1 1\n"));
   EXPECT_THAT(record.words, ::testing::UnorderedElementsAre(taxonomy::parse_word("La'wall''LE'Dr'a''E'E"),
                                                             taxonomy::parse_word("Le'a''b'E")));
 }

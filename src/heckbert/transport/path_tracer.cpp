@@ -33,8 +33,8 @@ void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, co
 
 /// What happens at a particle where the ray ends: light is gathered, and the path goes on. The ray is a copy for the
 /// reason that travel() gives.
-Continuation scatter_at_particle(const World& world, Walk& walk, Ray ray, taxonomy::WordTrie::Node node,
-                                 Rgb throughput, PathTechniques techniques) {
+Continuation scatter_at_particle(const World& world, Walk& walk, Ray ray, taxonomy::WordTrie::Node node, Rgb throughput,
+                                 PathTechniques techniques) {
   const Medium& medium = *walk.bodies.medium(world.scene);
   if (techniques.next_event) gather_light_at_particle(world, walk, ray, medium, node, throughput, techniques);
   const glm::vec3 direction = sample_phase(medium.anisotropy, ray.direction, walk.sampler.next2());
