@@ -24,6 +24,7 @@
 #include <heckbert/import/import.h>
 #include <heckbert/transport/frame.h>
 
+#include "embree_mesh.h"
 #include "scenes.h"
 
 namespace {
@@ -92,16 +93,7 @@ class Triangles {
 
  private:
   void attach(const transport::Mesh& mesh) {
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-    std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
-    auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
-    std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
+    bench::attach_mesh(device_, scene_, mesh);
     count += mesh.triangles.size();
   }
 

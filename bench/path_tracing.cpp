@@ -23,6 +23,7 @@
 #include <heckbert/transport/render.h>
 #include <heckbert/transport/tracer.h>
 
+#include "embree_mesh.h"
 #include "scenes.h"
 
 namespace {
@@ -109,16 +110,7 @@ class BareLoop {
   void attach(const transport::Scene& scene, const transport::Shape& shape) {
     const auto& mesh = std::get<transport::Mesh>(shape.geometry);
     const transport::Material& material = scene.materials[shape.material];
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-    std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
-    auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
-    std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
+    bench::attach_mesh(device_, scene_, mesh);
     surfaces_.push_back({std::get<transport::Lambert>(material.lobes.at(0)).albedo, material.emission});
     if (is_black(material.emission)) return;
     lamp_emission_ = material.emission;

@@ -37,6 +37,7 @@ TEST(Verify, ComparesWithARecord) {
   const json document = json::parse(outcome.out);
   EXPECT_EQ(document["references"][0]["samples_per_pixel"], 64);
   EXPECT_EQ(document["verdicts"][0]["verdict"], "captures");
+  EXPECT_EQ(document["verdicts"][0]["samples_per_pixel"], 32) << "once is enough";
   const Outcome other_size = run(verify);
   EXPECT_EQ(other_size.exit_code, 3);
   EXPECT_THAT(other_size.err, HasSubstr("has another size than 128x128"));
@@ -62,6 +63,7 @@ TEST(Verify, WordsOfOtherValuesThanTheReferenceSaysAreANo) {
   const json verdict = json::parse(outcome.out)["verdicts"][0];
   EXPECT_EQ(verdict["verdict"], "wrong-values");
   EXPECT_EQ(verdict["shortest"], "LDE");
+  EXPECT_EQ(verdict["samples_per_pixel"], 4 * 32) << "it was tried again before it was accused";
   EXPECT_NEAR(verdict["words"][0]["ratio"]["mean"].get<double>(), 0.5, 0.01);
 }
 

@@ -142,7 +142,7 @@ TEST(ReadRecord, RefusesMorePixelsThanTheFileHasRoomFor) {
       std::string damaged = whole;
       damaged.replace(last, 4, bytes);
       put_bytes(folder / "damaged.exr", damaged);
-      EXPECT_THAT(read_message(folder / "damaged.exr"), HasSubstr("there are not as many pixels as in 'dataWindow'"));
+      EXPECT_THAT(read_message(folder / "damaged.exr"), HasSubstr("sizes do not fit in the attribute 'dataWindow'"));
     }
 }
 

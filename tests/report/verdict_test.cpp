@@ -233,7 +233,7 @@ TEST(Verdict, DoesNotCallMissingWhatOnlyAWalkIntoTheLensFinds) {
   const Evidence witness = evidence_of(kRoom, 1, 4), own = evidence_of(less, 2);
   for (const bool by_lens : {false, true}) {
     Trial trial{"tested", "", "", &own, taxonomy::compile("L.*E")};
-    if (by_lens) trial.by_lens = taxonomy::compile("LS.*E");
+    if (by_lens) trial.is_by_lens = [](const taxonomy::Word& word) { return plain(word).starts_with("LS"); };
     const AlgorithmVerdict verdict =
         verify({trial}, {{"reference", &witness, taxonomy::compile("L.*E")}}, {taxonomy::Symbol::La}).verdicts.at(0);
     EXPECT_EQ(find(verdict, "LSDE").standing, by_lens ? Standing::Rare : Standing::Missing);

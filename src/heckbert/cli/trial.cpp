@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include <heckbert/taxonomy/expression.h>
+#include <heckbert/taxonomy/strategies.h>
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/transport/hash.h>
 #include <heckbert/transport/method_options.h>
+#include <heckbert/transport/reach.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::cli {
@@ -50,10 +52,12 @@ class Together {
   std::uint64_t rays_before_ = 0, rays_ = 0;
 };
 
-/// Report::Trial::by_lens. Walks from the light ask for the eye at surfaces that are not specular, and at no others.
-taxonomy::Language words_by_lens(const transport::AlgorithmFacts& algorithm, Symbol eye) {
-  if (algorithm.reach != transport::Reach::Light || eye != Symbol::El) return {};
-  return taxonomy::compile("L (X* S)? El");
+/// Of a claimed word: whatever technique the algorithm has for it ends with the walk from the light in the lens.
+bool is_by_lens(transport::Reach reach, const taxonomy::Word& word) {
+  const std::vector<taxonomy::Strategy> strategies = taxonomy::strategies(word);
+  return std::none_of(strategies.begin(), strategies.end(), [&](const taxonomy::Strategy& strategy) {
+    return strategy.eye_vertices > 0 && transport::has_technique(reach, word, strategy.light_vertices);
+  });
 }
 
 }  // namespace
@@ -179,7 +183,11 @@ std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs, Symbol e
                       .claimed = claimed_by(*run.algorithm),
                       .may_be_wrong = run.algorithm->accuracy == transport::Accuracy::Biased,
                       .shares_light = run.algorithm->passes,
-                      .by_lens = words_by_lens(*run.algorithm, eye)});
+                      .is_by_lens = {}});
+    if (eye == Symbol::El)
+      trials.back().is_by_lens = [reach = run.algorithm->reach](const taxonomy::Word& word) {
+        return is_by_lens(reach, word);
+      };
     if (run.coarser.empty()) continue;
     const transport::MethodOption& option = *transport::refining_option(run.algorithm->id);
     report::Refinement refinement{.option = std::string(option.name), .order = option.order, .size = run.size};

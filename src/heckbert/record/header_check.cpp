@@ -126,9 +126,10 @@ bool is_window_of(std::uint64_t file_bytes, Bytes value) {
   return is_most(columns, 1032 * file_bytes) && is_most(lines, 256 / 8 * file_bytes);
 }
 
-bool fits(std::string_view type, Bytes value) {
+bool fits(std::string_view name, std::string_view type, Bytes value, std::uint64_t file_bytes) {
   const auto fixed = std::ranges::find(kFixedSizes, type, &FixedSize::type);
-  if (fixed != kFixedSizes.end()) return value.left() == fixed->bytes;
+  if (fixed != kFixedSizes.end())
+    return value.left() == fixed->bytes && (name != "dataWindow" || is_window_of(file_bytes, value));
   if (type == "stringvector") return is_list_of_texts(value);
   if (type == "chlist") return is_list_of_channels(value);
   if (type == "preview") return is_preview(value);
@@ -148,11 +149,7 @@ void check_header(Bytes& file, std::istream& in, std::uint64_t file_bytes, bool 
     const auto size = file.number();
     if (!type || !size || *size > file.left()) refuse("its header ends inside the attribute");
     const auto value = in.tellg();
-    if (!fits(*type, Bytes(in, *size))) refuse("sizes do not fit in the attribute");
-    in.clear();
-    in.seekg(value);
-    if (*name == "dataWindow" && !is_window_of(file_bytes, Bytes(in, *size)))
-      refuse("there are not as many pixels as in");
+    if (!fits(*name, *type, Bytes(in, *size), file_bytes)) refuse("sizes do not fit in the attribute");
     in.clear();
     in.seekg(value);
     file.skip(*size);

@@ -30,13 +30,6 @@ void paste(const std::vector<T>& from, const Window& tile, const Window& window,
     std::copy_n(&from[pixel_of(tile, tile.x0, y)], width, &to[pixel_of(window, tile.x0, y)]);
 }
 
-std::vector<Rgb> means_of(const std::vector<RgbSum>& sums, const std::vector<std::uint32_t>& samples) {
-  std::vector<Rgb> means(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (samples[i] > 0) means[i] = mean_of(sums[i], samples[i]);
-  return means;
-}
-
 }  // namespace
 
 /// Reads the entries back, row by row of the window.

@@ -49,14 +49,14 @@ class MergingPass {
   std::vector<SumsBand> bands_;
 };
 
+}  // namespace
+
 std::vector<Rgb> means_of(const std::vector<RgbSum>& sums, const std::vector<std::uint32_t>& samples) {
   std::vector<Rgb> means(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (samples[i] > 0) means[i] = mean_of(sums[i], samples[i]);
   return means;
 }
-
-}  // namespace
 
 SumsStream stream_of(const Sums& sums) {
   const Tile& tile = sums.tile;

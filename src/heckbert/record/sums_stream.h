@@ -28,6 +28,9 @@ struct SumsStream {
   std::function<SumsPass()> begin;  ///< as often as one likes; words are those of `totals`
 };
 
+/// By pixel; black where there are no samples.
+std::vector<Rgb> means_of(const std::vector<RgbSum>& sums, const std::vector<std::uint32_t>& samples);
+
 /// Those of a picture in memory, which must outlive it.
 SumsStream stream_of(const Sums& sums);
 

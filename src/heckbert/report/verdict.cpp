@@ -76,7 +76,7 @@ std::vector<Group> groups_of(const Trial& trial, const std::vector<Witness>& wit
     group.length = word.length();
     group.witness = witness;
     group.is_claimed = is_claimed;
-    group.is_by_lens = trial.by_lens.contains(word);
+    group.is_by_lens = trial.is_by_lens && trial.is_by_lens(word);
     return group;
   };
   for (const auto& [word, evidence] : trial.evidence->words()) {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -86,9 +87,9 @@ struct Trial {
   taxonomy::Language claimed;
   bool may_be_wrong = false;  ///< its values, whatever its settings: missing shadows, clamped light
   bool shares_light = false;  ///< its pixels share photons or virtual lights
-  /// Words that only a walk into the lens of the eye finds, of which nothing is known before one is found: so seldom
-  /// that it has no use to ask whether it should have been.
-  taxonomy::Language by_lens{};
+  /// Does only a walk into the lens of the eye find the word? That is so seldom, and nothing is known of it before one
+  /// is found, that it has no use to ask whether it should have been. Empty: of no word.
+  std::function<bool(const taxonomy::Word&)> is_by_lens{};
   std::optional<Refinement> refinement{};  ///< of an algorithm that is right only in the limit
 };
 
