@@ -12,12 +12,12 @@
 #include <heckbert/taxonomy/symbol_set.h>
 #include <heckbert/transport/hash.h>
 #include <heckbert/transport/method_options.h>
-#include <heckbert/transport/reach.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::cli {
 
 using taxonomy::Symbol;
+using transport::claimed_by;
 
 namespace {
 
@@ -53,10 +53,10 @@ class Together {
 };
 
 /// Of a claimed word: whatever technique the algorithm has for it ends with the walk from the light in the lens.
-bool is_by_lens(transport::Reach reach, const taxonomy::Word& word) {
+bool is_by_lens(const transport::AlgorithmFacts& algorithm, const taxonomy::Word& word) {
   const std::vector<taxonomy::Strategy> strategies = taxonomy::strategies(word);
   return std::none_of(strategies.begin(), strategies.end(), [&](const taxonomy::Strategy& strategy) {
-    return strategy.eye_vertices > 0 && transport::has_technique(reach, word, strategy.light_vertices);
+    return strategy.eye_vertices > 0 && transport::has_technique(algorithm, word, strategy.light_vertices);
   });
 }
 
@@ -110,11 +110,6 @@ transport::RenderSettings reference_settings(transport::RenderSettings trials, i
   return trials;
 }
 
-taxonomy::Language claimed_by(const transport::AlgorithmFacts& algorithm) {
-  const taxonomy::Grammar& grammar = *taxonomy::builtin_grammars().find(algorithm.grammar);
-  return has_language(grammar) ? grammar.language : taxonomy::Language();
-}
-
 std::vector<Symbol> kinds_of_lights(const transport::Scene& scene) {
   std::vector<Symbol> kinds;
   const bool has_lamps = std::any_of(scene.materials.begin(), scene.materials.end(),
@@ -139,7 +134,7 @@ taxonomy::Language words_between(const std::vector<Symbol>& lights, Symbol eye) 
 }
 
 bool takes(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene) {
-  return !(algorithm.from_light || algorithm.patches) || !transport::has_bodies(scene);
+  return !algorithm.patches || !transport::has_bodies(scene);
 }
 
 std::vector<const transport::AlgorithmFacts*> trusted_algorithms(const transport::Scene& scene) {
@@ -185,8 +180,8 @@ std::vector<report::Trial> trials_of(const std::vector<TrialRun>& runs, Symbol e
                       .shares_light = run.algorithm->passes,
                       .is_by_lens = {}});
     if (eye == Symbol::El)
-      trials.back().is_by_lens = [reach = run.algorithm->reach](const taxonomy::Word& word) {
-        return is_by_lens(reach, word);
+      trials.back().is_by_lens = [&algorithm = *run.algorithm](const taxonomy::Word& word) {
+        return is_by_lens(algorithm, word);
       };
     if (run.coarser.empty()) continue;
     const transport::MethodOption& option = *transport::refining_option(run.algorithm->id);

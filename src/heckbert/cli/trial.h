@@ -12,6 +12,7 @@
 #include <heckbert/report/verdict.h>
 #include <heckbert/taxonomy/grammar.h>
 #include <heckbert/taxonomy/language.h>
+#include <heckbert/transport/claims.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::cli {
@@ -61,9 +62,6 @@ std::optional<TrialRun> run_refined_trial(const transport::AlgorithmFacts& algor
 /// per pixel.
 transport::RenderSettings reference_settings(transport::RenderSettings trials, int samples);
 
-/// The words that an algorithm's grammar claims; none where it has no language.
-taxonomy::Language claimed_by(const transport::AlgorithmFacts& algorithm);
-
 /// The kinds of lights that the scene has.
 std::vector<taxonomy::Symbol> kinds_of_lights(const transport::Scene& scene);
 taxonomy::Symbol kind_of_eye(const transport::Scene& scene);
@@ -71,7 +69,7 @@ taxonomy::Symbol kind_of_eye(const transport::Scene& scene);
 /// All words between these lights and this eye.
 taxonomy::Language words_between(const std::vector<taxonomy::Symbol>& lights, taxonomy::Symbol eye);
 
-/// Can the algorithm render the scene? Some know no media.
+/// Can the algorithm render the scene? Radiosity knows no media.
 bool takes(const transport::AlgorithmFacts& algorithm, const transport::Scene& scene);
 
 /// The algorithms whose word is taken, in this order: the reference path tracer, and as many unbiased others as it

@@ -1,7 +1,8 @@
 #pragma once
 // How a walk goes on from a surface: the direction is drawn from the mixture of the lobes without a Dirac, or one Dirac
-// is followed; then the walk continues as one lobe (path_tracer.h says why). Every walk that follows one way at a time
-// uses this, from whichever end it comes; it is in a header so that it is compiled into each of their loops.
+// is followed; then the walk continues as one lobe (path_tracer.h says why). And from a particle: by its phase
+// function. Every walk that follows one way at a time uses this, from whichever end it comes; it is in a header so that
+// it is compiled into each of their loops.
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include <heckbert/transport/medium.h>
 #include <heckbert/transport/vertex.h>
 
 namespace heckbert::transport {
@@ -138,6 +140,15 @@ inline Continuation follow_alone(const Vertex& vertex, const Lobe& lobe, Sampler
           .pdf_solid_angle = value.pdf_solid_angle,
           .radiance_scale = transmitted ? radiance_compression(lobe, vertex.hit.front) : 1.0f,
           .transmitted = transmitted};
+}
+
+/// From a particle, where the ray ended.
+inline Continuation follow_particle(const Medium& medium, const Ray& arrived, Sampler& sampler) {
+  const glm::vec3 direction = sample_phase(medium.anisotropy, arrived.direction, sampler.next2());
+  return {.ray = {arrived.origin, direction},
+          .event = taxonomy::Symbol::V,
+          .factor = Rgb(1.0f),
+          .pdf_solid_angle = phase(medium.anisotropy, glm::dot(arrived.direction, direction))};
 }
 
 /// One way on from the vertex.

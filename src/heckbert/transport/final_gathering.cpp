@@ -2,6 +2,7 @@
 
 #include <heckbert/transport/continuation.h>
 #include <heckbert/transport/photon_gathering.h>
+#include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
 
@@ -24,6 +25,7 @@ struct Leg {
   float pdf_solid_angle = 0;  ///< of the ray, spread over a glossy lobe; 0 for all others
   glm::vec3 from{0};          ///< where that lobe is
   int scatterings = 0;
+  Bodies bodies{};  ///< that the ray starts in
 };
 
 class FinalGathering {
@@ -31,16 +33,17 @@ class FinalGathering {
   FinalGathering(const World& world, Walk& walk) : world_(world), walk_(walk) {}
 
   void trace(const Ray& ray) {
-    Leg leg{.ray = ray, .node = walk_.sink.words().eye(world_.eye.kind())};
+    Leg leg{.ray = ray, .node = walk_.sink.words().eye(world_.eye.kind()), .bodies = world_.bodies_at_eye};
     for (;;) {
       const std::optional<Hit> hit = meet(leg);
+      if (is_black(leg.throughput)) return walk_.sink.end_path(PathEnd::Absorbed);
       if (!hit) {
         add_sky(leg);
         return walk_.sink.end_path(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
       }
       add_emitted(leg, *hit);
       if (leg.scatterings == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
-      const Vertex vertex(world_.scene, *hit, leg.ray.direction);
+      const Vertex vertex = vertex_at(world_, walk_, *hit, leg.ray.direction);
       if (vertex.has_non_delta) {
         gather_direct_light(world_, walk_, vertex, leg.node, leg.throughput, {.follows_glossy = true});
         look_up(*world_.caustics, vertex, leg, 1);
@@ -51,9 +54,12 @@ class FinalGathering {
   }
 
  private:
-  std::optional<Hit> meet(const Leg& leg) {
-    ++walk_.rays;
-    return world_.tracer.intersect(leg.ray);
+  /// The walk stands there afterwards.
+  std::optional<Hit> meet(Leg& leg) {
+    walk_.bodies = leg.bodies;
+    const Meeting meeting = travel(world_, walk_, leg.ray, leg.throughput, Particles::Dim);
+    leg.bodies = walk_.bodies;
+    return meeting.hit;
   }
 
   void add_sky(const Leg& leg) {
@@ -96,8 +102,8 @@ class FinalGathering {
   void gather_along(Leg leg) {
     while (leg.scatterings < world_.max_depth) {
       const std::optional<Hit> hit = meet(leg);
-      if (!hit) return;
-      const Vertex vertex(world_.scene, *hit, leg.ray.direction);
+      if (!hit || is_black(leg.throughput)) return;
+      const Vertex vertex = vertex_at(world_, walk_, *hit, leg.ray.direction);
       if (vertex.has_non_delta) look_up(*world_.photons, vertex, leg, 1 / static_cast<float>(world_.gather_rays));
       if (go_on(vertex, leg)) return;
     }
@@ -124,6 +130,7 @@ class FinalGathering {
     leg.pdf_solid_angle = next.pdf_solid_angle;
     leg.from = vertex.hit.position;
     ++leg.scatterings;
+    if (next.transmitted && world_.has_bodies) leg.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     if (!survives(walk_.sampler, leg.throughput, leg.radiance_scale, leg.scatterings)) return PathEnd::Roulette;
     return std::nullopt;
   }

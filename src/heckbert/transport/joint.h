@@ -2,28 +2,26 @@
 // A vertex of a walk from the eye joined to one of a walk from the light: what either sends along the line between
 // them, before anybody looks whether something is in between.
 
-#include <heckbert/transport/light_walk.h>
+#include <heckbert/transport/eye_vertex.h>
 
 namespace heckbert::transport {
 
 struct Joint {
   glm::vec3 direction{0};  ///< unit, from the eye's vertex to the light's
   float squared_distance = 0;
-  glm::vec3 wi{0};      ///< the same in the eye's vertex's frame
-  Vertex::Values here;  ///< of the eye's vertex
-  Scattering there;     ///< of the light's vertex
-  float cos_there = 0;  ///< with its geometric normal
+  Scattering here, there;  ///< of the eye's vertex, and of the light's
 };
 
 /// Nothing when no light goes that way.
-std::optional<Joint> join(const Scene& scene, const Vertex& here, const LightVertex& there);
+std::optional<Joint> join(const Scene& scene, const EyeVertex& here, const LightVertex& there);
 
-/// Is something in between? Counts its ray.
-bool is_blocked(const World& world, Walk& walk, const Vertex& here, const LightVertex& there, const Joint& joint);
+/// What is in between, from the eye's vertex, where the walk stands, to the light's. Counts its rays.
+Passage passage_along(const World& world, Walk& walk, const EyeVertex& here, const LightVertex& there,
+                      const Joint& joint);
 
-/// Finds a path for each pair of lobes. `node` is the word up to but without the eye's vertex; `number` counts the
-/// light's vertices; `carried` is all but what the two vertices do.
-void add_joint(const World& world, Walk& walk, const Vertex& here, taxonomy::WordTrie::Node node,
-               const LightWalk& light, std::size_t number, const Joint& joint, Rgb carried);
+/// Finds a path for each pair of lobes. `number` counts the light's vertices; `carried` is all but what the two
+/// vertices do.
+void add_joint(const World& world, Walk& walk, const EyeVertex& here, const LightWalk& light, std::size_t number,
+               const Joint& joint, Rgb carried);
 
 }  // namespace heckbert::transport

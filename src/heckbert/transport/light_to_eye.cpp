@@ -38,38 +38,45 @@ class Splatting {
     const glm::vec3 from = on_surface && glm::dot(to_eye, start.normal) < 0
                                ? start.ray.origin - 2.0f * start.error * start.normal
                                : start.ray.origin;
-    if (is_hidden(from, seen->sight)) return;
+    const Passage passage = passage_between(world_, walk_.rays, world_.bodies_at_eye, seen->sight.from, from);
+    if (is_black(passage.transmittance)) return;
     const float cosine = on_surface ? std::abs(glm::dot(start.normal, to_eye)) : 1.0f;
     const Departure& d = start.departure;
     double rivals = 0;
     if (rivalry_ == Rivalry::All && !start.is_delta)
-      rivals += squared(static_cast<double>(seen->per_area * cosine * world_.pixel_share / d.pdf_place));
-    if (world_.eye.has_lens()) rivals += lens_rival(pdf_departure(start, to_eye), *seen);
-    add(*seen, walk_.sink.words().eye(world_.eye.kind()), 0, sent * (seen->per_area / d.pdf_place), rivals, 1);
+      rivals +=
+          squared(static_cast<double>(seen->per_area * passage.chance * cosine * world_.pixel_share / d.pdf_place));
+    if (world_.eye.has_lens()) rivals += lens_rival(pdf_departure(start, to_eye), *seen, passage.chance);
+    add(*seen, walk_.sink.words().eye(world_.eye.kind()), 0,
+        sent * passage.transmittance * (seen->per_area / d.pdf_place), rivals, 1);
   }
 
   /// t = 1, from the vertex with this number.
   void vertex(std::size_t number) {
     const LightVertex& at = light_.vertices[number];
     if (!can_be_joined(at)) return;
-    const std::optional<Seen> seen = see(at.hit.position);
+    const Place place = at.place();
+    const std::optional<Seen> seen = see(place.position);
     if (!seen) return;
     const glm::vec3 to_eye = -seen->sight.direction;
     const Scattering scattering = scatter(world_.scene, at, to_eye);
     if (scattering.is_black()) return;
-    const bool to_front = glm::dot(to_eye, at.hit.normal_geometric) > 0;
-    if (is_hidden(leave(at.hit, to_front), seen->sight)) return;
-    const float cosine = std::abs(glm::dot(at.hit.normal_geometric, to_eye));
-    double rivals = world_.eye.has_lens() ? lens_rival(pdf_to_eye(at, to_eye), *seen) : 0;
-    if (rivalry_ == Rivalry::All)
-      rivals += at.rivals.sum(static_cast<double>(seen->per_area * cosine * world_.pixel_share),
+    const Passage passage = passage_between(world_, walk_.rays, place.bodies(world_.scene, at.bodies, to_eye),
+                                            place.leave(to_eye), seen->sight.from);
+    if (is_black(passage.transmittance)) return;
+    double rivals = world_.eye.has_lens() ? lens_rival(pdf_to_eye(at, to_eye), *seen, passage.chance) : 0;
+    if (rivalry_ == Rivalry::All) {
+      const float facing = place.facing(to_eye, passage.rate_begin);
+      rivals += at.rivals.sum(static_cast<double>(seen->per_area * passage.chance * facing * world_.pixel_share),
                               static_cast<double>(scattering.pdf_to_light));
-    const Labels::Id label = world_.labels.surface(at.hit);
+    }
+    const Labels::Id label = place.label(world_.labels);
+    const Rgb arriving = at.throughput * passage.transmittance * seen->per_area;
     const WordTrie::Node eye = walk_.sink.words().eye(world_.eye.kind());
     for (std::size_t i = 0; i < scattering.lobes; ++i) {
       if (is_black(scattering.f[i])) continue;
       const WordTrie::Node node = walk_.step(eye, scattering.letters[i], label);
-      add(*seen, node, number, at.throughput * scattering.f[i] * (cosine * seen->per_area), rivals, number + 2);
+      add(*seen, node, number, arriving * scattering.f[i], rivals, number + 2);
     }
   }
 
@@ -106,11 +113,6 @@ class Splatting {
     return Seen{*sight, *pixel, sight->pixels / squared_distance, squared_distance};
   }
 
-  bool is_hidden(glm::vec3 from, const Sight& sight) {
-    ++walk_.rays;
-    return world_.tracer.is_occluded(from, sight.from);
-  }
-
   /// Light from infinitely far away, seen directly.
   void sky() {
     const Emitted& start = *light_.start;
@@ -118,14 +120,16 @@ class Splatting {
     if (!sight) return;
     const std::optional<PixelShare> pixel = pixel_at(*sight);
     if (!pixel) return;
-    ++walk_.rays;
-    if (world_.tracer.is_occluded(Ray{sight->from, sight->direction})) return;
+    const Passage passage =
+        passage_to_infinity(world_, walk_.rays, world_.bodies_at_eye, {sight->from, sight->direction});
+    if (is_black(passage.transmittance)) return;
     const Seen seen{.sight = *sight, .pixel = *pixel, .per_area = sight->pixels};
     const Departure& d = start.departure;
-    double rivals = world_.eye.has_lens() ? lens_rival(d.pdf / d.pdf_place, seen) : 0;
+    double rivals = world_.eye.has_lens() ? lens_rival(d.pdf / d.pdf_place, seen, passage.chance) : 0;
     if (rivalry_ == Rivalry::All && !start.is_delta)
-      rivals += squared(static_cast<double>(sight->pixels * world_.pixel_share / d.pdf_place));
-    add(seen, walk_.sink.words().eye(world_.eye.kind()), 0, start.radiance * (sight->pixels / d.pdf_place), rivals, 1);
+      rivals += squared(static_cast<double>(sight->pixels * passage.chance * world_.pixel_share / d.pdf_place));
+    add(seen, walk_.sink.words().eye(world_.eye.kind()), 0,
+        start.radiance * passage.transmittance * (sight->pixels / d.pdf_place), rivals, 1);
   }
 
   /// Per steradian, of the direction alone.
@@ -135,10 +139,11 @@ class Splatting {
     return d.pdf / d.pdf_place * std::abs(glm::dot(start.normal, direction)) / d.cosine;
   }
 
-  /// The squared ratio of meeting the lens, if there is one, by chance to choosing this point of it.
-  double lens_rival(float pdf_to_eye, const Seen& seen) const {
-    return squared(static_cast<double>(pdf_to_eye * world_.eye.cosine(seen.sight.direction) / seen.squared_distance *
-                                       world_.eye.lens_area()));
+  /// The squared ratio of meeting the lens, if there is one, by chance to choosing this point of it; `chance` is that
+  /// of getting there.
+  double lens_rival(float pdf_to_eye, const Seen& seen, float chance) const {
+    return squared(static_cast<double>(pdf_to_eye * chance * world_.eye.cosine(seen.sight.direction) /
+                                       seen.squared_distance * world_.eye.lens_area()));
   }
 
   void add(const Seen& seen, WordTrie::Node node, std::size_t events, Rgb value, double rivals, std::size_t vertices) {

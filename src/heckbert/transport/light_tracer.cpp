@@ -6,7 +6,7 @@
 namespace heckbert::transport {
 
 void trace_from_light(const World& world, Walk& walk) {
-  const LightWalk light = walk_from_light(world, walk.rays, walk.sampler);
+  const LightWalk light = walk_from_light(world, walk.rays, walk.sampler, Particles::Scatter);
   splat(world, walk, light, walk.sampler, Rivalry::LightOnly);
 }
 

@@ -22,12 +22,22 @@ Hit seen_from(const Hit& hit, glm::vec3 direction) {
 struct Onward {
   Ray ray{};
   Event event{};
-  Rgb factor;  ///< black: it does not
+  Rgb factor;                ///< black: it does not
+  bool transmitted = false;  ///< through the surface
   Step step{};
 };
 
-Onward follow_light(const World& world, const LightVertex& at, Sampler& sampler) {
-  const Vertex& vertex = at.vertex;
+Onward scatter_at_particle(const World& world, const LightVertex& at, Sampler& sampler) {
+  const Continuation next = follow_particle(*at.particle, {at.hit.position, -at.to_light}, sampler);
+  return {
+      .ray = next.ray,
+      .event = {next.event, world.labels.particle(*at.particle)},
+      .factor = next.factor,
+      .step = {.is_from_particle = true, .pdf_solid_angle = next.pdf_solid_angle, .pdf_reverse = next.pdf_solid_angle}};
+}
+
+Onward scatter_at_surface(const World& world, const LightVertex& at, Sampler& sampler) {
+  const Vertex& vertex = *at.surface;
   const std::optional<Drawn> drawn = draw_lobe(vertex, sampler);
   if (!drawn) return {};
   const Labels::Id label = world.labels.surface(at.hit);
@@ -46,7 +56,8 @@ Onward follow_light(const World& world, const LightVertex& at, Sampler& sampler)
     return {.ray = next.ray,
             .event = {next.event, label},
             .factor = next.factor * (correction / next.radiance_scale),
-            .step = {.is_delta = true, .pdf_reverse = 1, .cos_from = cos_eye}};
+            .transmitted = next.transmitted,
+            .step = {.is_delta = true, .pdf_reverse = 1, .facing_from = cos_eye}};
   }
 
   const glm::vec3 out = draw_direction(vertex, *drawn, sampler);
@@ -57,20 +68,21 @@ Onward follow_light(const World& world, const LightVertex& at, Sampler& sampler)
   const Scattering scattering = scatter(world.scene, at, ray.direction);
   const ChosenLobe lobe = choose_lobe(std::span(scattering.f).first(scattering.lobes), sampler);
   if (!(lobe.share > 0)) return {};
-  const float cos_eye = cosine(at.hit, ray.direction);
   return {.ray = ray,
           .event = {scattering.letters[lobe.index], label},
-          .factor = scattering.f[lobe.index] * (cos_eye / (pdf * lobe.share)),
-          .step = {.pdf_solid_angle = pdf, .pdf_reverse = scattering.pdf_to_light, .cos_from = cos_eye}};
+          .factor = scattering.f[lobe.index] / (pdf * lobe.share),
+          .transmitted = out.z < 0,
+          .step = {.pdf_solid_angle = pdf,
+                   .pdf_reverse = scattering.pdf_to_light,
+                   .facing_from = cosine(at.hit, ray.direction)}};
 }
 
-/// The rivals where the first edge ends: hitting the light, and asking for it with `pdf_next_event` there. Per area,
+/// The rivals where the first step ends: hitting the light, and asking for it with `pdf_next_event` there. Per area,
 /// direction or light, as Departure::pdf_place is.
-Rivals first_rivals(const Emitted& start, double pdf_next_event, double cos_to, double squared_distance) {
+Rivals first_rivals(const Emitted& start, double pdf_next_event, const Step& step) {
   const Departure& d = start.departure;
-  const double area = start.infinite ? 1.0 : squared_distance;
-  const double reached = d.pdf * cos_to / area;
-  const double seen = start.infinite ? 1.0 : d.cosine / area;
+  const double reached = d.pdf * step.facing_to / step.squared_distance;
+  const double seen = d.cosine / step.squared_distance;
   return {squared(pdf_next_event / reached), start.is_delta ? 0 : squared(seen / reached)};
 }
 
@@ -95,10 +107,10 @@ double pdf_next_event(const World& world, const Emitted& start, glm::vec3 from) 
 }  // namespace
 
 Rivals rivals_after(const Rivals& before, const Step& step) {
-  if (step.is_delta) return {0, squared(step.pdf_reverse * step.cos_from / step.cos_to) * before.far};
-  const double reached = step.pdf_solid_angle * step.cos_to;
+  if (step.is_delta) return {0, squared(step.pdf_reverse * step.facing_from / step.facing_to) * before.far};
+  const double reached = step.pdf_solid_angle * step.facing_to;
   return {squared(step.squared_distance / reached),
-          squared(step.cos_from / reached) * (before.near + squared(step.pdf_reverse) * before.far)};
+          squared(step.facing_from / reached) * (before.near + squared(step.pdf_reverse) * before.far)};
 }
 
 bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side) {
@@ -112,13 +124,21 @@ bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_s
 }
 
 bool can_be_joined(const LightVertex& at) {
-  return std::ranges::any_of(at.vertex.material->lobes, [](const Lobe& lobe) { return !is_delta(lobe); });
+  return !at.surface ||
+         std::ranges::any_of(at.surface->material->lobes, [](const Lobe& lobe) { return !is_delta(lobe); });
 }
 
 Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) {
   Scattering result;
+  if (!at.surface) {
+    result.lobes = 1;
+    result.pdf_to_light = pdf_to_eye(at, to_eye);
+    result.f[0] = Rgb(result.pdf_to_light);
+    result.letters[0] = taxonomy::Symbol::V;
+    return result;
+  }
   const Hit seen = seen_from(at.hit, to_eye);
-  const Vertex from_eye(scene, seen, -to_eye);
+  const Vertex from_eye(scene, seen, -to_eye, at.index_in_front);
   const glm::vec3 wi = from_eye.local(at.to_light);
   const float cos_light = cosine(at.hit, at.to_light);
   if (wi.z == 0 || !(cos_light > 0)) return result;
@@ -126,7 +146,7 @@ Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) 
   const std::span<const Lobe> lobes = from_eye.lobes();
   result.lobes = lobes.size();
   for (std::size_t i = 0; i < lobes.size(); ++i) {
-    result.f[i] = values.f[i] * (std::abs(wi.z) / cos_light);
+    result.f[i] = values.f[i] * (std::abs(wi.z) * cosine(at.hit, to_eye) / cos_light);
     result.letters[i] = letter(lobes[i], wi.z < 0);
   }
   result.pdf_to_light = values.pdf_solid_angle;
@@ -134,54 +154,74 @@ Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) 
 }
 
 float pdf_to_eye(const LightVertex& at, glm::vec3 to_eye) {
-  const glm::vec3 out = at.vertex.local(to_eye);
-  return out.z == 0 ? 0.0f : at.vertex.values(out).pdf_solid_angle;
+  if (!at.surface) return phase(at.particle->anisotropy, glm::dot(-at.to_light, to_eye));
+  const glm::vec3 out = at.surface->local(to_eye);
+  return out.z == 0 ? 0.0f : at.surface->values(out).pdf_solid_angle;
 }
 
-float pdf_from_light(const Scene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) {
+float pdf_from_light(const Scene& scene, const Hit& hit, float index_in_front, glm::vec3 to_light, glm::vec3 to_eye) {
   const Hit seen = seen_from(hit, to_light);
-  const Vertex vertex(scene, seen, -to_light);
+  const Vertex vertex(scene, seen, -to_light, index_in_front);
   const glm::vec3 out = vertex.local(to_eye);
   return out.z == 0 ? 0.0f : vertex.values(out).pdf_solid_angle;
 }
 
-LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler) {
+LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles) {
   LightWalk light{.start = world.emission.sample(sampler)};
   if (!light.start) return light;
   const Emitted& start = *light.start;
   Ray ray = start.ray;
+  Bodies bodies = world.has_bodies && !start.infinite ? bodies_at(world.scene, world.tracer, ray.origin) : Bodies{};
   Rgb reflected(1.0f);  // of what left the light
   Step step;
-  const auto arrive = [&](double cos_to, double squared_distance, double pdf_of_rival) {
-    if (light.vertices.empty()) return first_rivals(start, pdf_of_rival, cos_to, squared_distance);
-    step.cos_to = cos_to;
-    step.squared_distance = squared_distance;
-    return rivals_after(light.vertices.back().rivals, step);
+  const auto arrive = [&](const Passage& passage, float facing, double squared_distance, double pdf_of_rival) {
+    const bool is_first = light.vertices.empty();
+    step.end(passage, static_cast<double>(facing), is_first && start.infinite ? 1.0 : squared_distance);
+    return is_first ? first_rivals(start, pdf_of_rival, step) : rivals_after(light.vertices.back().rivals, step);
+  };
+  const auto come_through_lens = [&](const Sight& sight, glm::vec3 from, const Passage& passage, Rgb sent) {
+    if (is_black(passage.transmittance)) return;
+    const glm::vec3 d = sight.from - from;
+    const Rivals rivals = arrive(passage, world.eye.cosine(sight.direction), static_cast<double>(glm::dot(d, d)),
+                                 static_cast<double>(start.departure.pdf_place));
+    light.through_lens.push_back({light.vertices.size(), sight, sent * passage.transmittance / passage.chance, rivals});
   };
   for (;;) {
-    ++rays;
-    const std::optional<Hit> hit = world.tracer.intersect(ray);
-    const float farthest = hit ? glm::distance(hit->position, ray.origin) : std::numeric_limits<float>::infinity();
-    if (const std::optional<Sight> sight = world.eye.sight_met_by(ray, farthest)) {
-      const glm::vec3 d = sight->from - ray.origin;
-      const Rivals rivals = arrive(static_cast<double>(world.eye.cosine(ray.direction)),
-                                   static_cast<double>(glm::dot(d, d)), static_cast<double>(start.departure.pdf_place));
-      light.through_lens.push_back({light.vertices.size(), *sight, start.throughput * reflected, rivals});
+    const Ray edge = ray;
+    const Bodies around = bodies;
+    const Rgb sent = start.throughput * reflected;
+    const bool from_infinity = start.infinite && light.vertices.empty();
+    Passage passage;
+    const auto [hit, scattered] =
+        travel(world, {bodies, sampler, rays, from_infinity}, ray, reflected, particles, &passage);
+    if (from_infinity && is_black(reflected)) return light;
+    const glm::vec3 position = hit ? hit->position : ray.origin;
+    const float farthest =
+        hit || scattered ? glm::distance(position, edge.origin) : std::numeric_limits<float>::infinity();
+    if (const std::optional<Sight> sight = world.eye.sight_met_by(edge, farthest)) {
+      Passage to_lens;
+      if (world.has_bodies)
+        to_lens = from_infinity ? passage_to_infinity(world, rays, world.bodies_at_eye, {sight->from, sight->direction})
+                                : passage_between(world, rays, around, edge.origin, sight->from);
+      come_through_lens(*sight, edge.origin, to_lens, sent);
     }
-    if (!hit || light.vertices.size() == static_cast<std::size_t>(world.max_depth)) return light;
-    const double cos_to = static_cast<double>(cosine(*hit, ray.direction));
-    if (!(cos_to > 0)) return light;
-    const Rivals rivals = arrive(cos_to, squared(static_cast<double>(farthest)),
-                                 light.vertices.empty() ? pdf_next_event(world, start, hit->position) : 0.0);
-    LightVertex& at = light.vertices.emplace_back(world.scene, *hit, ray.direction, start.throughput * reflected);
+    if (!(hit || scattered) || light.vertices.size() == static_cast<std::size_t>(world.max_depth)) return light;
+    const float facing = hit ? cosine(*hit, ray.direction) : passage.rate_end;
+    if (!(facing > 0) || is_black(reflected)) return light;
+    const Rivals rivals = arrive(passage, facing, squared(static_cast<double>(farthest)),
+                                 light.vertices.empty() ? pdf_next_event(world, start, position) : 0.0);
+    const Rgb arriving = start.throughput * reflected;
+    LightVertex& at = hit ? light.vertices.emplace_back(world, *hit, ray.direction, bodies, arriving)
+                          : light.vertices.emplace_back(world, position, ray.direction, bodies, arriving);
     at.rivals = rivals;
-    at.rivals.near += squared(world.merging);
+    if (hit) at.rivals.near += squared(world.merging);
 
-    const Onward onward = follow_light(world, at, sampler);
+    const Onward onward = hit ? scatter_at_surface(world, at, sampler) : scatter_at_particle(world, at, sampler);
     if (is_black(onward.factor)) return light;
     reflected *= onward.factor;
     if (!survives(sampler, reflected, 1, static_cast<int>(light.vertices.size()))) return light;
     light.events.push_back(onward.event);
+    if (onward.transmitted && world.has_bodies) bodies.cross(world.scene, hit->material, hit->front);
     step = onward.step;
     ray = onward.ray;
   }

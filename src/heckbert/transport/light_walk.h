@@ -24,6 +24,12 @@
 // with p<-(x_i) = pdf<- g_i, pdf<- per steradian, and g the cosine over the squared distance. At an event of a Dirac
 // the density of either direction counts as one and near_(i-1) as zero. The walk from the eye keeps the same two
 // numbers.
+//
+// Media (Lafortune and Willems 1996, "Rendering Participating Media with Bidirectional Path Tracing"; Raab, Seibert and
+// Keller 2008, "Unbiased Global Illumination with Participating Media"). A particle scatters by its phase function,
+// without cosines, and its density is per volume. So in g the place of the cosine is taken by the rate with which free
+// flights end there, per length; and every edge has a factor more, the chance of flights to get through it, which is
+// the same from both its ends and so goes with the squared distance. Both are Passage's.
 
 #include <algorithm>
 #include <cmath>
@@ -33,18 +39,14 @@
 #include <glm/geometric.hpp>
 
 #include <heckbert/transport/emission.h>
-#include <heckbert/transport/vertex.h>
+#include <heckbert/transport/place.h>
+#include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
 
 /// The power heuristic against techniques whose squared ratios of density to one's own add up to `rivals`.
 constexpr double weight_against(double rivals) {
   return 1 / (1 + rivals);
-}
-
-/// Of a direction with the geometric normal, on whichever side.
-inline float cosine(const Hit& hit, glm::vec3 direction) {
-  return std::abs(glm::dot(hit.normal_geometric, direction));
 }
 
 /// What bidirectional weights know of a walk up to a vertex; see above.
@@ -64,12 +66,20 @@ constexpr double squared(double x) {
 /// One step of a walk, from a vertex to the next.
 struct Step {
   bool is_delta = false;
+  bool is_from_particle = false;
   double pdf_solid_angle = 0;   ///< with which it was drawn; of a Dirac: not read
   double pdf_reverse = 0;       ///< with which the other walk would have gone on from here along this walk's way; of a
                                 ///< Dirac: 1 if it could
-  double cos_from = 0;          ///< of the step with the geometric normal where it begins
-  double cos_to = 1;            ///< where it ends; 1 at infinity
-  double squared_distance = 1;  ///< 1 to infinity
+  double facing_from = 0;       ///< Place::facing() where it begins
+  double facing_to = 1;         ///< where it ends; 1 at infinity
+  double squared_distance = 1;  ///< 1 to infinity; over the chance to get through
+
+  /// What is known once the step is made.
+  void end(const Passage& passage, double facing, double squared) {
+    if (is_from_particle) facing_from = static_cast<double>(passage.rate_begin);
+    facing_to = facing;
+    squared_distance = squared / static_cast<double>(passage.chance);
+  }
 };
 Rivals rivals_after(const Rivals& before, const Step& step);
 
@@ -79,18 +89,33 @@ struct Event {
   Labels::Id label = 0;
 };
 
-/// A surface that a walk from the light came to.
+/// A surface or a particle that a walk from the light came to.
 struct LightVertex {
-  Hit hit;
-  glm::vec3 to_light;  ///< unit, towards the vertex before
-  Vertex vertex;       ///< as seen from there
-  Rgb throughput;      ///< of the light that arrives, over the density of the walk
+  Hit hit{};                         ///< of a particle: nothing but its position
+  const Medium* particle = nullptr;  ///< of this medium; null: a surface
+  glm::vec3 to_light;                ///< unit, towards the vertex before
+  Bodies bodies;                     ///< that it is in, on the side from which the light came
+  float index_in_front = 1;          ///< of refraction, of a surface
+  std::optional<Vertex> surface;     ///< as seen from there; none at a particle
+  Rgb throughput;                    ///< of the light that arrives, over the density of the walk
   Rivals rivals;
 
-  LightVertex(const Scene& scene, const Hit& found, glm::vec3 direction, Rgb light)
-      : hit(found), to_light(-direction), vertex(scene, hit, direction), throughput(light) {}
+  LightVertex(const World& world, const Hit& found, glm::vec3 direction, const Bodies& around, Rgb light)
+      : hit(found),
+        to_light(-direction),
+        bodies(around),
+        index_in_front(world.has_bodies ? around.index_in_front(world.scene, found.material) : 1.0f),
+        throughput(light) {
+    surface.emplace(world.scene, hit, direction, index_in_front);
+  }
+  LightVertex(const World& world, glm::vec3 position, glm::vec3 direction, const Bodies& around, Rgb light)
+      : particle(around.medium(world.scene)), to_light(-direction), bodies(around), throughput(light) {
+    hit.position = position;
+  }
   LightVertex(const LightVertex&) = delete;
   LightVertex& operator=(const LightVertex&) = delete;
+
+  Place place() const { return {particle == nullptr ? &hit : nullptr, particle, hit.position}; }
 };
 
 /// A walk from the light that came through the eye's lens after `vertices` scatterings.
@@ -109,19 +134,21 @@ struct LightWalk {
 };
 
 /// Walks from a light until the light is absorbed, leaves, or has scattered so often that the path is full; ended by
-/// roulette as walks from the eye are. Counts its rays. Takes a scene without bodies.
-LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler);
+/// roulette as walks from the eye are. Counts its rays.
+LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles);
 
 /// Is the vertex shaded with the same normal when it is seen from the other side of the event? Nearly always; where it
 /// is not, the walk from the other end has no such Dirac.
 bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side);
 
-/// Has its surface a lobe without a Dirac, on whichever side?
+/// Is it a particle, or has its surface a lobe without a Dirac, on whichever side?
 bool can_be_joined(const LightVertex& vertex);
 
-/// A surface in the light of a walk as a place beyond it sees it.
+/// A surface or a particle in the light of one direction as a place beyond it sees it.
 struct Scattering {
-  std::array<Rgb, kMaxLobes> f{};  ///< of each lobe, per projected solid angle of the geometric normal
+  /// Of each lobe, in the measure of the geometric normal; times the cosine, at a surface, with the direction in which
+  /// the walk does not come.
+  std::array<Rgb, kMaxLobes> f{};
   std::array<taxonomy::Symbol, kMaxLobes> letters{};  ///< of each lobe
   std::size_t lobes = 0;
   bool is_black() const {
@@ -136,7 +163,7 @@ Scattering scatter(const Scene& scene, const LightVertex& vertex, glm::vec3 to_e
 float pdf_to_eye(const LightVertex& vertex, glm::vec3 to_eye);
 
 /// The density with which a walk that comes from the light's side leaves a surface for the eye's side, per steradian.
-float pdf_from_light(const Scene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye);
+float pdf_from_light(const Scene& scene, const Hit& hit, float index_in_front, glm::vec3 to_light, glm::vec3 to_eye);
 
 /// The word of a path whose part nearest the eye is spelt at `node`: adds the first `count` events of the walk from the
 /// light, the last first, and the light.

@@ -26,6 +26,14 @@ Rgb transmittance(const Medium& medium, float distance) {
   return {transmittance(e.r, distance), transmittance(e.g, distance), transmittance(e.b, distance)};
 }
 
+Stretch stretch(const Medium& medium, float distance) {
+  Stretch way{.transmittance = transmittance(medium, distance)};
+  if (is_black(medium.scattering)) return way;
+  way.chance = mean(way.transmittance);
+  if (way.chance > 0) way.rate = mean(way.transmittance * extinction(medium)) / way.chance;
+  return way;
+}
+
 Flight fly(const Medium& medium, float farthest, Sampler& sampler) {
   if (is_black(medium.scattering)) return {farthest, false, transmittance(medium, farthest)};
   const Rgb e = extinction(medium);

@@ -15,6 +15,14 @@ inline Rgb extinction(const Medium& medium) {
 /// exp(-extinction * distance) by channel; the distance may be infinite.
 Rgb transmittance(const Medium& medium, float distance);
 
+/// A way through a medium, as free flights see it.
+struct Stretch {
+  Rgb transmittance{1.0f};
+  float chance = 1;  ///< of a flight to get that far; where nothing scatters, all do
+  float rate = 0;    ///< with which a flight that got that far ends at a particle there, per length
+};
+Stretch stretch(const Medium& medium, float distance);
+
 /// A free flight: how far, whether it ended at a particle, and the transmittance and scattering coefficient met on the
 /// way over the density of what was drawn.
 struct Flight {
@@ -23,7 +31,8 @@ struct Flight {
   Rgb weight{1.0f};
 };
 /// Distances are drawn by the extinction of one channel chosen at random, and weighed by the mean density of all three
-/// (single-sample balance heuristic), so coloured media stay unbiased. Without scattering nothing is drawn.
+/// (single-sample balance heuristic), so coloured media stay unbiased. Without scattering nothing is drawn. stretch()
+/// has the densities.
 Flight fly(const Medium& medium, float farthest, Sampler& sampler);
 
 /// Henyey and Greenstein's phase function, per steradian; it integrates to one over the sphere.

@@ -30,6 +30,7 @@ Pass::Pass(const World& world, const RenderSettings& settings, const SamplePlan&
   if (merges || settings.algorithm == AlgorithmId::ProgressivePhotons) photons.radius *= shrinking(sample);
   if (merges) {
     photons.walks_per_pixel = 1;
+    photons.particles = Particles::Scatter;
     world_.merging =
         squared(static_cast<double>(photons.radius)) * kPi * static_cast<double>(world.window.pixel_count());
   }

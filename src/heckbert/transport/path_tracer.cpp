@@ -21,7 +21,7 @@ void gather_light_at_particle(const World& world, Walk& walk, const Ray& ray, co
   const LightSample light = world.lights.sample(ray.origin, walk.sampler);
   if (!(light.pdf_solid_angle > 0)) return;
   const float value = phase(medium.anisotropy, glm::dot(ray.direction, light.direction));
-  const Rgb incident = arriving(world, walk, walk.bodies, ray.origin, light);
+  const Rgb incident = arriving(world, walk.rays, walk.bodies, ray.origin, light);
   if (is_black(incident)) return;
   const bool has_rival = techniques.hits && !light.is_delta;
   const float weight = (has_rival ? power_heuristic(light.pdf_solid_angle, value) : 1.0f) * value;
@@ -37,11 +37,7 @@ Continuation scatter_at_particle(const World& world, Walk& walk, Ray ray, taxono
                                  PathTechniques techniques) {
   const Medium& medium = *walk.bodies.medium(world.scene);
   if (techniques.next_event) gather_light_at_particle(world, walk, ray, medium, node, throughput, techniques);
-  const glm::vec3 direction = sample_phase(medium.anisotropy, ray.direction, walk.sampler.next2());
-  return {.ray = {ray.origin, direction},
-          .event = Symbol::V,
-          .factor = Rgb(1.0f),
-          .pdf_solid_angle = phase(medium.anisotropy, glm::dot(ray.direction, direction))};
+  return follow_particle(medium, ray, walk.sampler);
 }
 
 /// The same at a surface.

@@ -35,7 +35,7 @@ struct PhotonMap::Row {
     ways.push_back({.event = {light.start->kind, world.labels.light(light.start->source)}});
     for (std::size_t i = 0; i < light.vertices.size(); ++i) {
       const LightVertex& at = light.vertices[i];
-      if (can_be_joined(at) && (!caustics_only || i > 0))
+      if (at.surface && can_be_joined(at) && (!caustics_only || i > 0))
         photons.push_back({at.hit.position, at.to_light, at.hit.normal_geometric, at.throughput, at.rivals, way,
                            static_cast<std::uint16_t>(i + 1)});
       if (i == light.events.size()) break;
@@ -58,7 +58,7 @@ PhotonMap::PhotonMap(const World& world, const SamplePlan& plan, int sample, con
       for (int i = 0; i < settings.walks_per_pixel; ++i) {
         of_walk = of_walk.split();
         Sampler sampler = of_walk;
-        row.add(world, walk_from_light(world, row.rays, sampler), settings.caustics_only);
+        row.add(world, walk_from_light(world, row.rays, sampler, settings.particles), settings.caustics_only);
       }
     }
   });

@@ -21,13 +21,14 @@ struct Photon {
   Rgb power;                   ///< of all walks together; divide by their number
   Rivals rivals;               ///< as its walk's vertex has them
   std::uint32_t way = 0;       ///< place in the map's ways
-  std::uint16_t vertices = 0;  ///< surfaces on its walk, this one too
+  std::uint16_t vertices = 0;  ///< surfaces and particles on its walk, this surface too
 };
 
 struct PhotonSettings {
   float radius = 0;            ///< within which photons are near each other
   int walks_per_pixel = 1;     ///< of world.window
   bool caustics_only = false;  ///< only what came by mirrors, glass and gloss, and not straight from the light
+  Particles particles = Particles::Dim;  ///< what media do to the walks; photons lie on surfaces alone
 };
 
 class PhotonMap {

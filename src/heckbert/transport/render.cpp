@@ -76,7 +76,7 @@ void check(const Scene& scene, const RenderSettings& settings) {
           "radiosity knows how often light was scattered, but not where: it can label no letters");
   for (const Material& material : scene.materials) check_material(scene, material);
   check_media(scene);
-  require(!(algorithm.from_light || algorithm.patches) || !has_bodies(scene),
+  require(!algorithm.patches || !has_bodies(scene),
           fmt::format("{} takes no scenes with media, index-matched boundaries or materials with an interior",
                       algorithm.title));
 }

@@ -55,30 +55,38 @@ struct AlgorithmFacts {
   std::string_view name;     ///< as on the command line
   std::string_view grammar;  ///< the grammar that predicts its words
   std::string_view title;
-  /// It walks from the light too. Such an algorithm takes no scenes with media or bodies in one another, and its paths
-  /// are not traced again.
+  /// It walks from the light too. The paths of such an algorithm are not traced again.
   bool from_light = false;
   bool splats = false;  ///< what it finds may be for any pixel
   bool passes = false;  ///< each sample number is a pass over the picture, before which all pixels' light is prepared
   /// It shows light that was stored on patches beforehand, of which is known how often it was scattered, but not where:
   /// its letters have no labels, and it takes no scenes with media or bodies in one another.
   bool patches = false;
+  /// It scatters light at particles of media: the grammar of its techniques but for merging, in which V counts as N
+  /// (claims.h). Empty: it finds no word with a V, and media only dim what it finds.
+  std::string_view joins_in_media = "";
   Accuracy accuracy = Accuracy::Unbiased;
   Reach reach = Reach::Eye;
 };
 
 /// Every algorithm that can render; the command line, the help and the tests read this table.
 inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
-    {AlgorithmId::Path, "path", "path-tracing", "reference path tracer"},
+    {.id = AlgorithmId::Path,
+     .name = "path",
+     .grammar = "path-tracing",
+     .title = "reference path tracer",
+     .joins_in_media = "path-tracing"},
     {.id = AlgorithmId::PathHits,
      .name = "path-hits",
      .grammar = "path-tracing-hits",
      .title = "path tracer that runs into lights",
+     .joins_in_media = "path-tracing-hits",
      .reach = Reach::Hit},
     {.id = AlgorithmId::PathNextEvent,
      .name = "path-next-event",
      .grammar = "path-tracing-next-event",
      .title = "path tracer that asks for the light",
+     .joins_in_media = "path-tracing-next-event",
      .reach = Reach::NextEvent},
     {.id = AlgorithmId::Light,
      .name = "light",
@@ -86,6 +94,7 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .title = "light tracing",
      .from_light = true,
      .splats = true,
+     .joins_in_media = "light-tracing",
      .reach = Reach::Light},
     {.id = AlgorithmId::Bidirectional,
      .name = "bidirectional",
@@ -93,6 +102,7 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .title = "bidirectional path tracing",
      .from_light = true,
      .splats = true,
+     .joins_in_media = "bidirectional-path-tracing",
      .reach = Reach::Both},
     {.id = AlgorithmId::PhotonMap,
      .name = "photon-map",
@@ -125,6 +135,7 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmFacts>({
      .from_light = true,
      .splats = true,
      .passes = true,
+     .joins_in_media = "bidirectional-path-tracing",
      .accuracy = Accuracy::Consistent,
      .reach = Reach::Both},
     {.id = AlgorithmId::InstantRadiosity,

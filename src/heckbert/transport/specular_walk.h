@@ -3,13 +3,14 @@
 // first surface that is not specular. Lamps and their mirror images, LS*E, are found by running into them.
 
 #include <heckbert/transport/continuation.h>
+#include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
 
 /// Calls shade(vertex, node, throughput, scatterings before it) at each vertex that has a lobe without a Dirac; `node`
 /// is the word so far, without what happens there. At a surface of both kinds of lobes the walk goes on by chance.
 /// Past the depth limit a share of walks goes on to find out what it cuts off. Without `follows_mirrors` it ends at the
-/// first surface. Takes a scene without bodies.
+/// first surface. Media dim the light and do not scatter it.
 template <class Shade>
 void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool follows_mirrors = true) {
   using record::PathEnd;
@@ -22,8 +23,8 @@ void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool fol
     if (!past_the_limit) walk.sink.end_path(how);
   };
   for (int depth = 0;; ++depth) {
-    ++walk.rays;
-    const std::optional<Hit> hit = world.tracer.intersect(ray);
+    const std::optional<Hit> hit = travel(world, walk, ray, throughput, Particles::Dim).hit;
+    if (is_black(throughput)) return end(PathEnd::Absorbed);
     walk.arrive(depth, {hit ? hit->position : ray.direction, throughput, !hit});
     if (!hit) {
       const Rgb sky = world.lights.environment(ray.direction);
@@ -39,7 +40,7 @@ void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool fol
       if (walk.sampler.next() >= PastTheLimit::kShare) return;
       past_the_limit.emplace(walk);
     }
-    const Vertex vertex(world.scene, *hit, ray.direction);
+    const Vertex vertex = vertex_at(world, walk, *hit, ray.direction);
     if (vertex.has_non_delta) shade(vertex, node, throughput, depth);
     const std::optional<Drawn> lobe = follows_mirrors ? draw_lobe(vertex, walk.sampler) : std::nullopt;
     if (!lobe || !is_delta(vertex.lobes()[lobe->index])) return end(PathEnd::Absorbed);
@@ -49,6 +50,7 @@ void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool fol
     if (is_black(throughput)) return end(PathEnd::Absorbed);
     if (!survives(walk.sampler, throughput, radiance_scale, depth + 1)) return end(PathEnd::Roulette);
     node = walk.step(node, next.event, world.labels.surface(*hit));
+    if (next.transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);
     ray = next.ray;
   }
 }

@@ -24,52 +24,99 @@ bool is_passed(const Scene& scene, const Bodies& bodies, const Hit& hit) {
   return material.is_index_matched || (is_black(material.emission) && !bodies.shows(scene, hit.material, hit.front));
 }
 
+/// One more stretch, in a medium or in none.
+void lengthen(Passage& passage, const Medium* medium, float distance, bool is_first) {
+  const Stretch way = medium != nullptr ? stretch(*medium, distance) : Stretch{};
+  passage.transmittance *= way.transmittance;
+  passage.chance *= way.chance;
+  passage.rate_end = way.rate;
+  if (is_first) passage.rate_begin = way.rate;
+}
+
 void pass(const Scene& scene, Bodies& bodies, const Hit& hit, glm::vec3& origin) {
   bodies.cross(scene, hit.material, hit.front);
   origin = leave(hit, !hit.front);
 }
 
+Passage passage_to(const World& world, std::uint64_t& rays, const Bodies& bodies, glm::vec3 from,
+                   const LightSample& white) {
+  Passage passage;
+  passage.transmittance = arriving(world, rays, bodies, from, white, &passage);
+  return passage;
+}
+
 }  // namespace
 
-Meeting travel_through_bodies(const World& world, Walk& walk, Ray& ray, Rgb& throughput, Particles particles) {
+Meeting travel_through_bodies(const World& world, Traveller traveller, Ray& ray, Rgb& throughput, Particles particles,
+                              Passage* passage) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
-    ++walk.rays;
+    ++traveller.rays;
     const std::optional<Hit> hit = world.tracer.intersect(ray);
-    if (const Medium* medium = walk.bodies.medium(world.scene)) {
-      const float farthest = hit ? glm::distance(hit->position, ray.origin) : kInfinity;
-      const Flight flight = particles == Particles::Scatter ? fly(*medium, farthest, walk.sampler)
-                                                            : Flight{farthest, false, transmittance(*medium, farthest)};
+    const Medium* medium = traveller.bodies.medium(world.scene);
+    const bool is_endless = !hit || (traveller.from_infinity && boundary == 0);
+    const float farthest = is_endless ? kInfinity : glm::distance(hit->position, ray.origin);
+    Flight flight{farthest};
+    if (medium != nullptr) {
+      flight = particles == Particles::Scatter ? fly(*medium, farthest, traveller.sampler)
+                                               : Flight{farthest, false, transmittance(*medium, farthest)};
       throughput *= flight.weight;
-      if (flight.scattered) {
-        ray.origin += flight.distance * ray.direction;
-        return {std::nullopt, true};
-      }
     }
-    if (!hit || !is_passed(world.scene, walk.bodies, *hit)) return {hit, false};
-    pass(world.scene, walk.bodies, *hit, ray.origin);
+    if (passage != nullptr) lengthen(*passage, medium, flight.distance, boundary == 0);
+    if (flight.scattered && traveller.from_infinity && boundary == 0) break;  // before it came anywhere
+    if (flight.scattered) {
+      ray.origin += flight.distance * ray.direction;
+      return {std::nullopt, true};
+    }
+    if (!hit || !is_passed(world.scene, traveller.bodies, *hit)) return {hit, false};
+    pass(world.scene, traveller.bodies, *hit, ray.origin);
   }
   throughput = Rgb(0);
   return {};
 }
 
-Rgb arriving(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light) {
+Rgb arriving(const World& world, std::uint64_t& rays, Bodies bodies, glm::vec3 from, const LightSample& light,
+             Passage* passage) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const bool is_met = light.to_be_met != kNoEmitter, endless = light.infinite || is_met;
-  Rgb transmitted(1.0f);
+  Passage way;
+  Rgb light_sent;
   for (int boundary = 0; boundary < kMostBoundaries; ++boundary) {
     const float farthest = endless ? kInfinity : glm::distance(light.target, from);
     const glm::vec3 direction = endless ? light.direction : (light.target - from) / farthest;
-    ++walk.rays;
+    ++rays;
     const std::optional<Hit> hit = world.tracer.intersect(Ray{from, direction}, farthest);
-    if (const Medium* medium = bodies.medium(world.scene))
-      transmitted *= transmittance(*medium, hit ? glm::distance(hit->position, from) : farthest);
-    if (!hit) return is_met ? Rgb{} : transmitted * light.radiance;
-    if (is_met && hit->emitter == light.to_be_met) return transmitted * world.lights.emitted(*hit);
+    lengthen(way, bodies.medium(world.scene), hit ? glm::distance(hit->position, from) : farthest, boundary == 0);
+    if (!hit) {
+      if (!is_met) light_sent = light.radiance;
+      break;
+    }
+    if (is_met && hit->emitter == light.to_be_met) {
+      light_sent = world.lights.emitted(*hit);
+      break;
+    }
     if (!is_passed(world.scene, bodies, *hit)) break;
     pass(world.scene, bodies, *hit, from);
   }
-  return {};
+  if (passage != nullptr) *passage = way;
+  return way.transmittance * light_sent;
+}
+
+Passage passage_between(const World& world, std::uint64_t& rays, const Bodies& bodies, glm::vec3 from, glm::vec3 to) {
+  if (!world.has_bodies) {
+    ++rays;
+    return {.transmittance = Rgb(world.tracer.is_occluded(from, to) ? 0.0f : 1.0f)};
+  }
+  return passage_to(world, rays, bodies, from, {.target = to, .radiance = Rgb(1)});
+}
+
+Passage passage_to_infinity(const World& world, std::uint64_t& rays, const Bodies& bodies, const Ray& ray) {
+  if (!world.has_bodies) {
+    ++rays;
+    return {.transmittance = Rgb(world.tracer.is_occluded(ray) ? 0.0f : 1.0f)};
+  }
+  return passage_to(world, rays, bodies, ray.origin,
+                    {.direction = ray.direction, .infinite = true, .radiance = Rgb(1)});
 }
 
 Bodies bodies_at(const Scene& scene, const Tracer& tracer, glm::vec3 point) {

@@ -7,6 +7,15 @@
 
 namespace heckbert::transport {
 
+/// What an edge of a path goes through: media, and boundaries that are passed straight. From its other end it is the
+/// same, but for the two rates, which change places.
+struct Passage {
+  Rgb transmittance{1.0f};  ///< black: something is in between
+  float chance = 1;         ///< of free flights along it, from whichever end, to get through
+  /// Where it begins, and where it ends: with which a flight that got through ends at a particle there, per length.
+  float rate_begin = 0, rate_end = 0;
+};
+
 /// What a ray met: a surface, or a particle at the ray's new origin, or neither: it left the scene.
 struct Meeting {
   std::optional<Hit> hit;
@@ -18,29 +27,47 @@ enum class Particles : std::uint8_t {
   Dim       ///< it is lost, for algorithms whose words have no V
 };
 
-Meeting travel_through_bodies(const World& world, Walk& walk, Ray& ray, Rgb& throughput, Particles particles);
+/// What a walk has that travelling changes.
+struct Traveller {
+  Bodies& bodies;  ///< that it is in
+  Sampler& sampler;
+  std::uint64_t& rays;
+  bool from_infinity = false;  ///< the ray begins infinitely far away, and its origin is only on its way
+};
 
-/// Moves the ray's origin to the last boundary it passed, or to the particle; keeps walk.bodies; multiplies the
-/// throughput by what the media did, over the density of what was drawn.
-inline Meeting travel(const World& world, Walk& walk, Ray& ray, Rgb& throughput,
-                      Particles particles = Particles::Scatter) {
+Meeting travel_through_bodies(const World& world, Traveller traveller, Ray& ray, Rgb& throughput, Particles particles,
+                              Passage* passage);
+
+/// Moves the ray's origin to the last boundary it passed, or to the particle; keeps the bodies; multiplies the
+/// throughput by what the media did, over the density of what was drawn. Tells of the passage where it is asked to.
+inline Meeting travel(const World& world, Traveller traveller, Ray& ray, Rgb& throughput, Particles particles,
+                      Passage* passage = nullptr) {
   if (!world.has_bodies) [[likely]] {
-    ++walk.rays;
+    ++traveller.rays;
     return {world.tracer.intersect(ray), false};
   }
   // Copies, so that where there are no bodies nobody has the address of the tracer's ray and throughput, and they can
   // stay in registers.
   Ray through = ray;
   Rgb dimmed = throughput;
-  const Meeting meeting = travel_through_bodies(world, walk, through, dimmed, particles);
+  const Meeting meeting = travel_through_bodies(world, traveller, through, dimmed, particles, passage);
   ray = through;
   throughput = dimmed;
   return meeting;
 }
+inline Meeting travel(const World& world, Walk& walk, Ray& ray, Rgb& throughput,
+                      Particles particles = Particles::Scatter, Passage* passage = nullptr) {
+  return travel(world, Traveller{walk.bodies, walk.sampler, walk.rays}, ray, throughput, particles, passage);
+}
 
 /// What arrives of a light at a point within `bodies`, dimmed by media, through boundaries that are passed straight;
-/// black when anything else is in between.
-Rgb arriving(const World& world, Walk& walk, Bodies bodies, glm::vec3 from, const LightSample& light);
+/// black when anything else is in between. Tells of the passage where it is asked to.
+Rgb arriving(const World& world, std::uint64_t& rays, Bodies bodies, glm::vec3 from, const LightSample& light,
+             Passage* passage = nullptr);
+
+/// The same of any two points; and of a point and what is infinitely far away.
+Passage passage_between(const World& world, std::uint64_t& rays, const Bodies& bodies, glm::vec3 from, glm::vec3 to);
+Passage passage_to_infinity(const World& world, std::uint64_t& rays, const Bodies& bodies, const Ray& ray);
 
 /// The bodies that a point lies in: those that a ray from it leaves without having entered them.
 Bodies bodies_at(const Scene& scene, const Tracer& tracer, glm::vec3 point);

@@ -76,11 +76,11 @@ TrailVertex trail_vertex(const record::Contribution& contribution, const LightSa
 }
 
 Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
-                   const LightSample& light) {
+                   const LightSample& light, Passage* passage) {
   if (world.has_bodies) {
     Bodies bodies = walk.bodies;
     if (transmitted) bodies.cross(world.scene, vertex.hit.material, vertex.hit.front);
-    return arriving(world, walk, bodies, origin, light);
+    return arriving(world, walk.rays, bodies, origin, light, passage);
   }
   ++walk.rays;
   const Ray ray{origin, light.direction};

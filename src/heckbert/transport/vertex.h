@@ -25,6 +25,7 @@ namespace heckbert::transport {
 
 class Emission;
 enum class Fault : std::uint8_t;  // fault.h
+struct Passage;                   // travel.h
 class PhotonMap;
 class RadiositySolution;
 struct LightWalk;
@@ -152,9 +153,9 @@ inline Vertex vertex_at(const World& world, const Walk& walk, const Hit& hit, gl
 }
 
 /// The light sample's radiance as it arrives at the vertex; black when something is in between. `origin` is where the
-/// shadow ray leaves the surface, on its far side when `transmitted`.
+/// shadow ray leaves the surface, on its far side when `transmitted`. `passage`: as arriving()'s.
 Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool transmitted, glm::vec3 origin,
-                   const LightSample& light);
+                   const LightSample& light, Passage* passage = nullptr);
 
 /// How direct light is gathered at a vertex.
 struct DirectLight {

@@ -11,7 +11,7 @@ void merge(const World& world, Walk& walk, const EyeVertex& at) {
                                                 static_cast<double>(values.pdf_solid_angle), at.rivals,
                                                 at.pdf_to_eye(world.scene, photon.to_light)));
   };
-  gather_photons(world, walk, *world.photons, at.vertex, at.node, at.throughput, at.scatterings, every_lobe, weigh);
+  gather_photons(world, walk, *world.photons, *at.surface, at.node, at.throughput, at.scatterings, every_lobe, weigh);
 }
 
 }  // namespace heckbert::transport

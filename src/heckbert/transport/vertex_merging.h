@@ -20,6 +20,9 @@
 // Against merging at x_m the techniques with fewer vertices from the light, and this one itself, have squared ratios
 // that add up to (near + pdf<-^2 far) / e^2; those with more, and itself, from the other end likewise.
 //
+// Nothing is merged at particles of media: that takes photons in space (Jarosz, Nowrouzezahrai, Sadeghi and Jensen
+// 2011). There walks add no e^2, and what only merging could find is not found: LSVSE, of a point seen by a pinhole.
+//
 // The radius shrinks from pass to pass (pass.cpp), so that the blur goes to zero.
 
 #include <heckbert/transport/eye_vertex.h>
@@ -33,7 +36,7 @@ constexpr double weight_of_merging(double merging, const Rivals& light, double p
   return 1 / ((light.sum(1, pdf_to_light) + eye.sum(1, pdf_to_eye)) / squared(merging) - 1);  // itself is in both
 }
 
-/// Merges a vertex of a walk from the eye with the photons near it. Takes world.photons.
+/// Merges a surface that a walk from the eye came to with the photons near it. Takes world.photons.
 void merge(const World& world, Walk& walk, const EyeVertex& at);
 
 }  // namespace heckbert::transport

@@ -196,7 +196,8 @@ ExitCode run(const VerifyOptions& options) {
   const auto predictions = [&](const taxonomy::Language& vouched) {
     std::vector<taxonomy::Language> pictures;
     if (!wants_pictures) return pictures;
-    for (const transport::AlgorithmFacts* algorithm : algorithms) pictures.push_back(claimed_by(*algorithm) & vouched);
+    for (const transport::AlgorithmFacts* algorithm : algorithms)
+      pictures.push_back(transport::claimed_by(*algorithm) & vouched);
     pictures.push_back(vouched);
     return pictures;
   };

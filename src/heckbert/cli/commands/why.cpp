@@ -27,6 +27,7 @@ namespace heckbert::cli {
 namespace {
 
 using transport::AlgorithmFacts;
+using transport::claimed_by;
 
 struct WhyOptions {
   std::string scene;
@@ -162,16 +163,14 @@ ExitCode run(const WhyOptions& options) {
   }
   const std::vector<report::MeasuredTechnique> measured = measured_techniques(suspect, scene, render, interrupt.stop());
   if (interrupt.stop()) return ExitCode::Interrupted;
-  const report::Diagnosis diagnosis =
-      report::diagnose({.algorithm = std::string(suspect.name),
-                        .title = std::string(suspect.title),
-                        .evidence = &runs.front().evidence,
-                        .claimed = claimed_by(suspect),
-                        .has =
-                            [&](const taxonomy::Word& word, const taxonomy::Strategy& s) {
-                              return transport::has_technique(suspect.reach, word, s.light_vertices);
-                            }},
-                       witnesses_of(known), std::move(candidates), measured, words, rules);
+  const report::Diagnosis diagnosis = report::diagnose(
+      {.algorithm = std::string(suspect.name),
+       .title = std::string(suspect.title),
+       .evidence = &runs.front().evidence,
+       .claimed = claimed_by(suspect),
+       .has = [&](const taxonomy::Word& word,
+                  const taxonomy::Strategy& s) { return transport::has_technique(suspect, word, s.light_vertices); }},
+      witnesses_of(known), std::move(candidates), measured, words, rules);
   if (!options.plot.empty()) {
     write_bytes(options.plot, report::candidates_svg(diagnosis));
     console.note("wrote " + options.plot);
