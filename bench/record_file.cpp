@@ -90,20 +90,20 @@ int main(int argc, char** argv) {
   const transport::Scene scene = import::load_scene_or_builtin("lecture").scene;
   const transport::RenderSettings settings{.width = width, .height = height, .samples_per_pixel = samples};
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  record::RenderInfo info = transport::info_of(scene, settings);
-  record::RecordSpool as_half((info.precision = record::Precision::Half, info), folder / "heckbert");
-  record::RecordSpool as_float((info.precision = record::Precision::Float, info), folder / "heckbert");
+  const record::RenderInfo info = transport::info_of(scene, settings);
+  record::RecordSpool spool(info, folder / "heckbert");
   record::TilePictures pictures(info, {}, taxonomy::GlossyRule::Keep);
-  transport::render_tiles(scene, settings, {}, [&](const record::Tile& tile) {
-    as_half.submit(tile);
-    as_float.submit(tile);
+  transport::render_tiles(scene, settings, {}, [&](record::Tile tile) {
     pictures.add(tile);
+    spool.submit(std::move(tile));
   });
-  fmt::print("lecture {}x{}, {} samples: {} words; peak memory {:.0f} MB while tracing (two records)\n", width, height,
-             samples, as_half.totals(false).words.size(), peak_memory());
-  for (const auto& [spool, name] : {std::pair{&as_half, "half"}, {&as_float, "float"}}) {
+  const record::SumsStream sums = spool.stream();
+  fmt::print("lecture {}x{}, {} samples: {} words; peak memory {:.0f} MB while tracing\n", width, height, samples,
+             sums.totals.words.size(), peak_memory());
+  for (const auto& [precision, name, meaning] : record::kPrecisions) {
     const std::filesystem::path file = folder / fmt::format("heckbert-{}.paths.exr", name);
-    const double writing = seconds(1, [&, s = spool] { s->write(file, false); });
+    const double writing =
+        seconds(1, [&, p = precision] { record::write_record(record::totals_of(sums, p), sums, file); });
     fmt::print("{}: {:.1f} MB on disk, written in {:.2f} s, peak memory {:.0f} MB\n", name,
                static_cast<double>(std::filesystem::file_size(file)) / 1e6, writing, peak_memory());
   }

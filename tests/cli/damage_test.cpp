@@ -154,6 +154,11 @@ std::vector<Damage> damages() {
        {"the samples differ: 'samples 0 to 1 of 4, seed 1' and 'samples 2 to 3 of 4, seed 1'"}},
       {"resume with another seed", nothing, resume({"--part", "1/2", "--seed", "7"}), 3, {"the samples differ"}},
       {"resume what is torn", torn("part1", 0.7), resume({"--part", "1/2"}), 3, {"cannot read 'part1'"}},
+      {"resume what has a byte flipped among the sums",
+       flipped("part1", 0.6),
+       resume({"--part", "1/2"}),
+       3,
+       {"cannot read 'part1'"}},
 
       // Streams.
       {"a torn stream of text",
@@ -296,12 +301,13 @@ TEST_F(DamagedRecord, OnAFullDiskTheOldFileStays) {
   umount(disk.c_str());
 }
 
-/// A checkpoint that finds no place is told, and the render goes on.
+/// A checkpoint that finds no place is told, and the render goes on. Here a record has many rows and little in them, so
+/// that what is kept while tracing finds its place.
 TEST_F(DamagedRecord, ACheckpointOnAFullDiskDoesNotEndTheRender) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run({"render", "cornell", "--size", "64x64", "--spp", "4", "-o", "-", "--record", "r", "--checkpoint", "0.0001"},
-          {.folder = folder.path(), .largest_file = kSmallDisk});
+  const Outcome outcome = run({"render", "cornell", "--size", "4x4096", "--max-depth", "0", "--spp", "4", "-o", "-",
+                               "--record", "r", "--checkpoint", "0.0001"},
+                              {.folder = folder.path(), .largest_file = 200'000});
   EXPECT_THAT(outcome.err, HasSubstr("warning: no checkpoint: cannot write 'r'"));
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_TRUE(folder.listing().empty());

@@ -115,6 +115,26 @@ TEST(Interruption, ResumingWhatIsWholeChangesNothing) {
   EXPECT_TRUE(read_bytes(folder / "a") == read_bytes(folder / "b"));
 }
 
+/// Splats wait in files and in threads, and go where other samples were before. A picture is made of the sums, after
+/// the end, where that of a render in one go is made of tiles.
+TEST(Interruption, OfWalksFromTheLightGivesTheSameBytesToo) {
+  const TemporaryFolder folder;
+  const auto path = [&](const std::string& name) { return (folder / name).string(); };
+  for (const std::string algorithm : {"bidirectional", "path"}) {
+    const Arguments render{"render", "lecture",     "--size",  "64x48",       "--spp",
+                           "64",     "--algorithm", algorithm, "--no-preview"};
+    expect_done(run(render + Arguments{"--record", path("whole"), "-o", path("whole.exr"), "--threads", "1"}));
+    const Arguments kept = render + Arguments{"--record", path("out"), "-o", path("out.exr")};
+    const Outcome outcome = run_and_signal(kept + Arguments{"--threads", "2"}, SIGTERM, "64 samples per pixel",
+                                           std::chrono::milliseconds(100));
+    EXPECT_EQ(outcome.exit_code, 130) << "the program was too fast for this test\n" << outcome.err;
+    ASSERT_TRUE(record::read_record(path("out")).info.partial);
+    expect_done(run(kept + Arguments{"--threads", "3", "--resume", path("out"), "--checkpoint", "0.001"}));
+    EXPECT_TRUE(read_bytes(folder / "out") == read_bytes(folder / "whole")) << algorithm;
+    EXPECT_TRUE(read_bytes(folder / "out.exr") == read_bytes(folder / "whole.exr")) << algorithm;
+  }
+}
+
 // ---- mpirun ---------------------------------------------------------------------------------------------------------
 
 /// The tool as `ranks` processes of mpirun. With `wrapper`, each is started by this shell script as "$@".
@@ -174,6 +194,10 @@ TEST_F(Mpi, WhatRanksCannotShareIsRefused) {
               HasSubstr("the processes of mpirun are the parts already"));
   EXPECT_THAT(run_ranks(2, {"render", "lecture", "--size", "8x8", "--spp", "1", "--record", path("out")}).err,
               HasSubstr("1 samples per pixel cannot be shared out into 2 parts"));
+  const Outcome adaptive = run_ranks(2, kRender + Arguments{"--record", path("out"), "--adaptive"});
+  EXPECT_THAT(adaptive.err, HasSubstr("--adaptive plans the samples of one render as a whole"));
+  EXPECT_EQ(adaptive.exit_code, 2);
+  EXPECT_TRUE(folder.listing().empty());
 }
 
 }  // namespace

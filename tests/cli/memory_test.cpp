@@ -112,11 +112,10 @@ TEST_F(Memory, IsRefusedWhereItCannotBeKept) {
     std::vector<std::string> more;
     const char* message;
   };
-  for (const Case& refused :
-       {Case{{"--exact"}, "--memory: --exact and --part keep sums"},
-        {{"--part", "1/2"}, "--memory: --exact and --part keep sums"},
-        {{"--checkpoint", "60"}, "with --checkpoint, with --resume or by mpirun is held in memory"},
-        {{"--algorithm", "light"}, "--memory: a render from the light"}}) {
+  for (const Case& refused : {Case{{"--exact"}, "mpirun keep sums for others to add to"},
+                              {{"--part", "1/2"}, "mpirun keep sums for others to add to"},
+                              {{"--checkpoint", "60"}, "mpirun keep sums for others to add to"},
+                              {{"--algorithm", "light"}, "--memory: 'light' also walks from the light"}}) {
     std::vector<std::string> arguments{"--memory", "1G", "--record", path("none")};
     arguments.insert(arguments.end(), refused.more.begin(), refused.more.end());
     const Outcome outcome = render(arguments);

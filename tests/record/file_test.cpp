@@ -166,15 +166,16 @@ TEST(RecordSpool, WritesWhatTheAssembledRecordWouldBe) {
     }
     Sums expected{info, added(info.window, tiles)};
     expected.info.partial = true;
-    EXPECT_TRUE(collected(spool.stream(true)) == expected);
-    write_sums(spool.stream(true), folder / "spooled.exr");
+    const SumsStream sums = spool.stream();
+    EXPECT_TRUE(collected(sums) == expected);
+    write_sums(sums, folder / "spooled.exr");
     write_sums(expected, folder / "assembled.exr");
     EXPECT_TRUE(bytes_of(folder / "spooled.exr") == bytes_of(folder / "assembled.exr"));
     EXPECT_TRUE(read_sums(folder / "spooled.exr").tile == expected.tile);
-    spool.write(folder / "spooled.exr", true);
+    Record totals = totals_of(sums, precision);
+    write_record(totals, sums, folder / "spooled.exr");
     write_record(assembler.finish(true), folder / "assembled.exr");
     EXPECT_TRUE(bytes_of(folder / "spooled.exr") == bytes_of(folder / "assembled.exr"));
-    Record totals = spool.totals(true);
     EXPECT_FALSE(totals.ambient.empty());
     totals.ambient.clear();
     EXPECT_TRUE(totals == read_record_totals(folder / "spooled.exr"));
@@ -182,15 +183,32 @@ TEST(RecordSpool, WritesWhatTheAssembledRecordWouldBe) {
   EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("spooled.exr", "assembled.exr"));
 }
 
-TEST(RecordSpool, RefusesTilesThatOverlap) {
+/// Tiles of random windows, some with samples and some of splats, in a random order; with 0 as the least that is added
+/// up, that happens again and again. Three seeds.
+TEST(RecordSpool, AddsUpTilesThatOverlap) {
   const TemporaryFolder folder;
-  const RenderInfo info = info_for({0, 0, 8, 8}, 1);
-  const MadeUpLight light(30);
-  TileRecorder recorder(info);
-  RecordSpool spool(info, folder / "r.exr");
-  spool.submit(light.tile(recorder, {0, 0, 4, 4}, 1));
-  spool.submit(light.tile(recorder, {3, 2, 5, 5}, 1));
-  EXPECT_THROW(spool.write(folder / "r.exr", false), std::logic_error);
+  RenderInfo info = info_for({2, 1, 42, 31}, 4);
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::mt19937 random(seed);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    std::vector<Tile> tiles;
+    for (int t = 0; t < 60; ++t) {
+      const int x = info.window.x0 + below(30), y = info.window.y0 + below(20);
+      const MadeUpLight light(seed * 100 + static_cast<unsigned>(t % 7));
+      TileRecorder recorder(info);
+      tiles.push_back(light.tile(recorder, {x, y, x + 1 + below(10), y + 1 + below(10)}, 1));
+      if (t % 5 == 0) tiles.back().samples.assign(tiles.back().window.pixel_count(), 0);
+      if (t % 4 == 0) tiles.back().phantom.assign(tiles.back().window.pixel_count(), RgbSum({1, 2, 3}));
+    }
+    Sums expected{info, added(info.window, tiles)};
+    expected.info.partial = true;
+    for (const std::uint64_t least_added_up : {std::uint64_t{0}, RecordSpool::kLeastAddedUp}) {
+      std::shuffle(tiles.begin(), tiles.end(), random);
+      RecordSpool spool(info, folder / "r.exr", {}, least_added_up);
+      for (const Tile& tile : tiles) spool.submit(tile);
+      EXPECT_TRUE(collected(spool.stream()) == expected) << seed << ' ' << least_added_up;
+    }
+  }
   EXPECT_TRUE(folder.names().empty());
 }
 

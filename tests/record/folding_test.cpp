@@ -57,7 +57,8 @@ class Folding : public testing::Test {
   Record written(const std::optional<FoldRule>& rule, const std::vector<Tile>& in_this_order) {
     RecordSpool spool(info, folder / "r.exr", rule);
     for (const Tile& tile : in_this_order) spool.submit(tile);
-    spool.write(folder / "r.exr", false);
+    const SumsStream sums = spool.stream();
+    write_record(totals_of(sums, info.precision), sums, folder / "r.exr");
     return read_record(folder / "r.exr");
   }
   Record folded(std::size_t most_words) { return written(FoldRule{most_words, exact}, tiles); }

@@ -184,18 +184,35 @@ TEST(Completed, IsTheWholeWhereverItWasInterrupted) {
         }
       tiles.push_back(recorder.end_tile());
     }
-    return tiles;
+    Sums sums{info, added(kWindow, std::move(tiles))};
+    sums.info.partial = is_partial(info, sums.tile);
+    return sums;
   };
   const std::size_t all = kWindow.pixel_count();
-  const Sums whole = completed({info, added(kWindow, {})}, record_pixels(0, all));
+  const Sums whole = record_pixels(0, all);
   EXPECT_FALSE(whole.info.partial);
   EXPECT_TRUE(record_of(whole) == record_of(light, info));
   for (std::size_t trial = 0; trial < 20; ++trial) {
     const std::size_t pixel = trial * all / 20;
-    const Sums begun = completed({info, added(kWindow, {})}, record_pixels(0, pixel));
+    const Sums begun = record_pixels(0, pixel), rest = record_pixels(pixel, all);
     EXPECT_TRUE(begun.info.partial);
-    EXPECT_TRUE(completed(begun, record_pixels(pixel, all)) == whole);
+    EXPECT_TRUE(collected(completed(stream_of(begun), stream_of(rest))) == whole);
   }
+}
+
+/// In a render from the light that was stopped, pixels have splats and no samples yet: their sums wait, and the record
+/// can be read, by pixel too.
+TEST(SumsFile, KeepsWhatIsSplattedOntoPixelsWithoutSamples) {
+  const TemporaryFolder folder;
+  Sums sums = part_of(MadeUpLight(61), 5, {});
+  for (std::size_t pixel = 0; pixel < 40; ++pixel) sums.tile.samples[pixel] = 0;
+  sums.info.partial = true;
+  write_sums(sums, folder / "s.exr");
+  EXPECT_TRUE(read_sums(folder / "s.exr") == sums);
+  const Record record = read_record(folder / "s.exr");
+  EXPECT_TRUE(record == record_of(sums));
+  EXPECT_FALSE(record.pixel(kWindow.x0, kWindow.y0).empty());
+  EXPECT_EQ(beauty(record).at(kWindow.x0, kWindow.y0), Rgb());
 }
 
 TEST(SumsFile, IsReadBackAndIsARecordToo) {
@@ -234,15 +251,15 @@ TEST(SumsStream, OfSeveralFilesIsMergedToTheBytesOfSumsInMemory) {
   }
   std::mt19937 random(60);
   std::shuffle(streams.begin(), streams.end(), random);
-  SumsStream stream = merged(std::move(streams));
+  const SumsStream stream = merged(std::move(streams));
   Sums sums = merged_at_random(std::move(parts), random);
   EXPECT_TRUE(collected(stream) == sums);
   write_sums(stream, folder / "streamed.exr");
   write_sums(sums, folder / "held.exr");
   EXPECT_TRUE(bytes_of(folder / "streamed.exr") == bytes_of(folder / "held.exr"));
   for (const Precision precision : {Precision::Half, Precision::Float}) {
-    stream.info.precision = sums.info.precision = precision;
-    write_record(stream, folder / "streamed.exr");
+    sums.info.precision = precision;
+    write_record(totals_of(stream, precision), stream, folder / "streamed.exr");
     write_record(record_of(sums), folder / "held.exr");
     EXPECT_TRUE(bytes_of(folder / "streamed.exr") == bytes_of(folder / "held.exr"));
   }

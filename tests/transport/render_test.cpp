@@ -2,12 +2,14 @@
 
 #include <atomic>
 #include <numbers>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <heckbert/record/sums.h>
 #include <heckbert/taxonomy/counting.h>
 #include <heckbert/taxonomy/expression.h>
 #include <heckbert/taxonomy/possible.h>
@@ -54,6 +56,41 @@ TEST(Render, GivesTheSameBytesForAnyNumberOfThreads) {
     settings.seed = 2;
     EXPECT_FALSE(render(room, settings) == one) << algorithm.name << ": another seed must be another picture";
   }
+}
+
+/// A tile with more splats than wait at a time is handed over in pieces, each with the splats of its own samples. Half
+/// the samples at a time fit.
+TEST(Render, HandsOverSplatsWithTheSamplesThatMadeThem) {
+  RenderSettings settings{
+      .algorithm = AlgorithmId::Light, .width = 20, .height = 16, .samples_per_pixel = 2048, .threads = 1};
+  const Scene room = mixed_room();
+  const record::Window window = picture_window(settings);
+  int pieces = 0;
+  const auto sums_of = [&] {
+    std::vector<record::Tile> tiles;
+    RenderHooks hooks;
+    hooks.settled = [&] {
+      ++pieces;
+      const record::Tile sum = record::added(window, tiles);
+      const auto samples = std::accumulate(sum.samples.begin(), sum.samples.end(), std::uint64_t{0});
+      EXPECT_EQ(sum.tally.samples, samples);
+      std::uint64_t found = 0;
+      for (const record::EntrySum& entry : sum.entries) found += entry.count;
+      EXPECT_EQ(found, sum.tally.contributions());
+    };
+    EXPECT_TRUE(render_tiles(room, settings, hooks, [&](record::Tile tile) { tiles.push_back(std::move(tile)); }));
+    return record::Sums{info_of(room, settings), record::added(window, std::move(tiles))};
+  };
+  const record::Sums whole = sums_of();
+  EXPECT_GT(pieces, 1);
+  std::vector<record::Sums> halves;
+  for (const int number : {1, 2}) {
+    settings.part = {number, 2};
+    pieces = 0;
+    halves.push_back(sums_of());
+    EXPECT_EQ(pieces, 1);
+  }
+  EXPECT_TRUE(record::merged(halves[0], halves[1]) == whole);
 }
 
 TEST(Render, ACropIsThatPartOfThePicture) {

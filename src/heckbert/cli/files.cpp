@@ -83,26 +83,8 @@ record::Record read_record_totals(const std::string& name) {
   return read_from(name, record::read_record_totals);
 }
 
-record::Sums read_sums(const std::string& name) {
-  return read_from(name, record::read_sums);
-}
-
 record::SumsStream open_sums(const std::string& name) {
   return read_from(name, record::open_sums);
-}
-
-std::string bytes_of(const record::Sums& sums) {
-  const TemporaryFolder folder;
-  const fs::path copy = folder.path() / "record";
-  record::write_sums(sums, copy);
-  return read_text(copy.string());
-}
-
-record::Sums sums_from(const std::string& bytes) {
-  const TemporaryFolder folder;
-  const fs::path copy = folder.path() / "record";
-  record::write_file(bytes, copy);
-  return record::read_sums(copy);
 }
 
 void check_writable(const std::string& name) {

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include <heckbert/record/file.h>
-#include <heckbert/record/sums.h>
 
 namespace heckbert::cli {
 
@@ -23,14 +22,8 @@ record::RecordFile open_record(const std::string& name);
 /// A record without pixels, see record::read_record_totals().
 record::Record read_record_totals(const std::string& name);
 
-/// A record that keeps its sums, likewise; in memory, or to be read a band of rows at a time. Errors: ReadError.
-record::Sums read_sums(const std::string& name);
+/// A record that keeps its sums, to be read a band of rows at a time. Errors: ReadError.
 record::SumsStream open_sums(const std::string& name);
-
-/// A record that keeps its sums as the bytes of its file, and back, on the way to another process.
-/// Errors: WriteError, ReadError: the bytes pass through a temporary file, because OpenEXR needs one.
-std::string bytes_of(const record::Sums& sums);
-record::Sums sums_from(const std::string& bytes);
 
 /// Throws WriteError unless a file of this name can be made: asked before long work, so that it is not done in vain.
 void check_writable(const std::string& name);

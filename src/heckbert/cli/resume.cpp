@@ -19,8 +19,8 @@ std::string samples_text(const record::RenderInfo& info) {
 
 }  // namespace
 
-record::Sums resumed(const std::string& name, const record::RenderInfo& wanted) {
-  record::Sums begun = read_sums(name);
+record::SumsStream resumed(const std::string& name, const record::RenderInfo& wanted) {
+  record::SumsStream begun = open_sums(name);
   const auto refuse = [&](const std::string& why) {
     throw ReadError(fmt::format("cannot resume '{}' with these settings: {}", name, why));
   };
@@ -32,15 +32,16 @@ record::Sums resumed(const std::string& name, const record::RenderInfo& wanted) 
   if (const std::string there = samples_text(begun.info), here = samples_text(wanted); there != here)
     refuse(fmt::format("the samples differ: '{}' and '{}'", there, here));
   const auto all = static_cast<std::uint32_t>(wanted.samples_per_pixel);
-  if (std::ranges::any_of(begun.tile.samples, [&](std::uint32_t taken) { return taken != 0 && taken != all; }))
+  if (std::ranges::any_of(begun.totals.samples, [&](std::uint32_t taken) { return taken != 0 && taken != all; }))
     refuse("it was merged from parts that were not whole; resume those parts and merge again");
+  rows_of(begun)([](const record::PixelRow&) {});
   return begun;
 }
 
-std::vector<bool> pixels_done(const record::Sums& begun) {
+std::vector<bool> pixels_done(const record::SumsStream& begun) {
   std::vector<bool> done;
-  done.reserve(begun.tile.samples.size());
-  for (const std::uint32_t taken : begun.tile.samples) done.push_back(taken > 0);
+  done.reserve(begun.totals.samples.size());
+  for (const std::uint32_t taken : begun.totals.samples) done.push_back(taken > 0);
   return done;
 }
 

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <heckbert/cli/collector.h>
-#include <heckbert/cli/files.h>
 #include <heckbert/cli/progress.h>
 #include <heckbert/cli/resume.h>
 #include <heckbert/record/file.h>
@@ -14,23 +12,29 @@
 
 namespace heckbert::cli {
 
-record::Sums trace(const transport::Scene& scene, TracingJob job, const Console& console, const std::atomic<bool>& stop,
-                   Work& work) {
-  record::Sums begun{job.info, record::added(job.info.window, {})};
-  if (!job.resume.empty()) {
-    begun = resumed(job.resume, job.info);
-    job.settings.skip = pixels_done(begun);
-    begun.info = job.info;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void write_checkpoint(const Findings& findings, const std::string& file, const Console& console) {
+  try {
+    record::write_sums(findings.sums(), file);
+    console.detail(fmt::format("checkpoint: {}", file));
+  } catch (const WriteError& error) {
+    console.note(fmt::format("warning: no checkpoint: {}", error.what()));
   }
-  const auto start = std::chrono::steady_clock::now();
-  Collector collector(std::move(begun), job.checkpoint, [&](const record::Sums& sums) {
-    try {
-      record::write_sums(sums, job.keep);
-      console.detail(fmt::format("checkpoint: {}", job.keep));
-    } catch (const WriteError& error) {
-      console.note(fmt::format("warning: no checkpoint: {}", error.what()));
-    }
-  });
+}
+
+}  // namespace
+
+void trace(const transport::Scene& scene, const TracingJob& job, const Console& console, const std::atomic<bool>& stop,
+           Work& work, Findings& findings) {
+  const Clock::time_point start = Clock::now();
+  Clock::time_point last = start;
   ProgressDisplay display(console.progress(), job.info.samples_per_pixel);
   transport::RenderHooks hooks;
   hooks.stop = &stop;
@@ -38,27 +42,15 @@ record::Sums trace(const transport::Scene& scene, TracingJob job, const Console&
     work.rays = progress.rays;
     display.show(progress);
   };
-  transport::render_tiles(scene, job.settings, hooks, [&](record::Tile tile) { collector.take(std::move(tile)); });
-  record::Sums sums = collector.finish();
-  work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return sums;
-}
-
-std::string name_of_part(const std::string& output, const record::Part& part) {
-  return fmt::format("{}.part-{}-of-{}", output, part.number, part.of);
-}
-
-std::optional<record::Sums> reduce(const Ranks& ranks, record::Sums sums) {
-  // Up a binary tree: as many steps as the number of ranks has bits, and the order of additions changes nothing.
-  for (int step = 1; step < ranks.count(); step *= 2) {
-    if (ranks.number() % (2 * step) != 0) {
-      ranks.send(ranks.number() - step, bytes_of(sums));
-      return {};
-    }
-    const int other = ranks.number() + step;
-    if (other < ranks.count()) sums = record::merged(std::move(sums), sums_from(ranks.receive(other)));
-  }
-  return sums;
+  hooks.settled = [&] {
+    if (!job.checkpoint || seconds_since(last) < *job.checkpoint) return;
+    write_checkpoint(findings, job.keep, console);
+    last = Clock::now();  // from the end of writing, so that writing never takes all the time
+  };
+  transport::RenderSettings settings = job.settings;
+  if (findings.begun()) settings.skip = pixels_done(*findings.begun());
+  transport::render_tiles(scene, settings, hooks, [&](record::Tile tile) { findings.take(std::move(tile)); });
+  work.seconds = seconds_since(start);
 }
 
 }  // namespace heckbert::cli

@@ -1,6 +1,7 @@
 #pragma once
-// One render from its settings to its sums: what was there before, checkpoints, and the other processes it is shared
-// with.
+// One render from its settings to what it finds, with checkpoints on the way: the record as it stands, marked partial,
+// written in place of the last one every so many seconds. Whatever happens to the program, the last checkpoint can be
+// read, and resumed.
 
 #include <atomic>
 #include <cstdint>
@@ -8,8 +9,7 @@
 #include <string>
 
 #include <heckbert/cli/console.h>
-#include <heckbert/cli/ranks.h>
-#include <heckbert/record/sums.h>
+#include <heckbert/cli/findings.h>
 #include <heckbert/transport/render.h>
 
 namespace heckbert::cli {
@@ -22,21 +22,15 @@ struct TracingJob {
   std::optional<double> checkpoint{};  ///< seconds; unset: none
 };
 
-/// What a render leaves besides its sums.
+/// What a render leaves besides what it finds.
 struct Work {
   double seconds = 0;
   std::uint64_t rays = 0;
 };
 
-/// Traces until it is done or stopped. Errors: ReadError for what cannot be resumed. A checkpoint that cannot be
-/// written is told and not an error: the next one may.
-record::Sums trace(const transport::Scene& scene, TracingJob job, const Console& console, const std::atomic<bool>& stop,
-                   Work& work);
-
-/// "room.paths.exr.part-3-of-8"
-std::string name_of_part(const std::string& output, const record::Part& part);
-
-/// The sums of all ranks at rank 0, and nothing at the others.
-std::optional<record::Sums> reduce(const Ranks& ranks, record::Sums sums);
+/// Traces until it is done or stopped. A checkpoint that cannot be written is told and not an error: the next one may.
+/// Errors: WriteError.
+void trace(const transport::Scene& scene, const TracingJob& job, const Console& console, const std::atomic<bool>& stop,
+           Work& work, Findings& findings);
 
 }  // namespace heckbert::cli

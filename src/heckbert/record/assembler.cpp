@@ -13,8 +13,7 @@ void copy_row(const std::vector<RgbSum>& from, std::vector<Rgb>& to, const Tile&
               std::size_t to_first) {
   if (from.empty()) return;
   for (std::size_t i = 0; i < static_cast<std::size_t>(tile.window.width()); ++i)
-    if (const std::uint32_t samples = tile.samples[first + i]; samples > 0)
-      to[to_first + i] = mean_of(from[first + i], samples);
+    to[to_first + i] = mean_of(from[first + i], tile.samples[first + i]);
 }
 
 /// Appends one row of a tile to the record, which has all pixels before it.
@@ -25,9 +24,7 @@ void append_row(Record& record, const Tile& tile, int y, const std::vector<std::
   copy_row(tile.ambient, record.ambient, tile, from, to);
   copy_row(tile.phantom, record.phantom, tile, from, to);
   for (std::size_t pixel = from; pixel < from + width; ++pixel) {
-    // What was splatted onto a pixel before its first sample, in a render that was stopped, waits in the sums.
-    const bool is_seen = tile.samples[pixel] > 0;
-    for (std::size_t e = tile.offsets[pixel]; is_seen && e < tile.offsets[pixel + 1]; ++e) {
+    for (std::size_t e = tile.offsets[pixel]; e < tile.offsets[pixel + 1]; ++e) {
       const EntrySum& entry = tile.entries[e];
       record.entries.push_back({rank[entry.word], mean_of(entry.sum, tile.samples[pixel]), entry.count});
     }
@@ -77,7 +74,7 @@ void Assembler::submit(Tile tile) {
 }
 
 Record Assembler::finish(bool partial) {
-  Record record = words_->totals(info_);
+  Record record = means_of_words(info_, words_->tile());
   record.info.partial = partial;
   std::size_t entry_count = 0;
   for (const Tile& tile : tiles_) {

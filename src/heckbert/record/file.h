@@ -64,9 +64,9 @@ Rows rows_of(const RecordFile& file);
 /// gone through twice. Errors: WriteError; those of a stream.
 void write_sums(const Sums& sums, const std::filesystem::path& path);
 void write_sums(const SumsStream& sums, const std::filesystem::path& path);
-/// The means of a stream, in the precision that its info says, as write_record() would of a record in memory. It is
-/// gone through once, in half precision twice. Errors: as write_sums().
-void write_record(const SumsStream& sums, const std::filesystem::path& path);
+/// The means of a stream, as write_record() would of a record in memory. Takes: its totals_of(), which say the
+/// precision. The stream is gone through once. Errors: as write_sums().
+void write_record(const Record& totals, const SumsStream& sums, const std::filesystem::path& path);
 /// Errors: ReadError, also for a record without sums.
 Sums read_sums(const std::filesystem::path& path);
 /// The same, a band of rows at a time: a pass reads the file again and may find damage, ReadError. The file stays open

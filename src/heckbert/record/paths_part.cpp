@@ -87,11 +87,9 @@ std::function<void(DeepBand&)> means_of_bands(const SumsStream& sums, Precision 
              .samples[static_cast<std::size_t>(band.window.y0 - window.y0) * static_cast<std::size_t>(window.width())];
     const EntrySum* entry = rows.entries.data();
     for (const std::uint32_t count : rows.counts) {
-      // What was splatted onto a pixel before its first sample, in a render that was stopped, waits in the sums.
-      const bool is_seen = *samples > 0;
-      band.counts.push_back(is_seen ? count : 0);
+      band.counts.push_back(count);
       for (std::uint32_t e = 0; e < count; ++e, ++entry)
-        if (is_seen) append_entry(band.samples, precision, {entry->word, mean_of(entry->sum, *samples), entry->count});
+        append_entry(band.samples, precision, {entry->word, mean_of(entry->sum, *samples), entry->count});
       ++samples;
     }
   };

@@ -6,9 +6,7 @@
 #include <span>
 #include <utility>
 
-#include <heckbert/record/file.h>
-#include <heckbert/record/paths_part.h>
-#include <heckbert/record/spool_file.h>
+#include <heckbert/record/spooled_tiles.h>
 #include <heckbert/record/word_sums.h>
 
 namespace heckbert::record {
@@ -20,143 +18,156 @@ std::size_t pixel_of(const Window& window, int x, int y) {
          static_cast<std::size_t>(x - window.x0);
 }
 
-/// Puts the tile's pixels where they are in the window.
+/// Adds the tile's pixels to where they are in the window.
 template <class T>
-void paste(const std::vector<T>& from, const Window& tile, const Window& window, std::vector<T>& to) {
+void add_pixels(const std::vector<T>& from, const Window& tile, const Window& window, std::vector<T>& to) {
   if (from.empty()) return;
   to.resize(window.pixel_count());
-  const auto width = static_cast<std::size_t>(tile.width());
   for (int y = tile.y0; y < tile.y1; ++y)
-    std::copy_n(&from[pixel_of(tile, tile.x0, y)], width, &to[pixel_of(window, tile.x0, y)]);
+    for (int x = tile.x0; x < tile.x1; ++x) to[pixel_of(window, x, y)] += from[pixel_of(tile, x, y)];
+}
+
+std::unique_ptr<SpooledTiles> spooled_tiles(const std::optional<std::filesystem::path>& target, const Window& window) {
+  return target ? std::make_unique<SpooledTiles>(window, *target) : nullptr;
 }
 
 }  // namespace
 
-/// Reads the entries back, row by row of the window.
+/// Reads entries back, row by row of the window; words by their places among the sorted ones.
 class RecordSpool::RowReader {
  public:
-  /// Errors: std::logic_error when tiles overlap.
-  explicit RowReader(const RecordSpool& spool)
-      : spool_(spool), rank_(spool.words_->ranks()), rows_(windows_by_row(spool.windows_, spool.info_.window)) {
-    assert(spool.file_ != nullptr);
-    for (const Kept& tile : spool.tiles_) next_.push_back(tile.place);
-  }
+  explicit RowReader(const RecordSpool& spool) : spool_(spool), rank_(spool.words_->ranks()) {}
 
-  /// Calls use(x0, counts, entries) for each tile that crosses row y, from left to right, words by their places. Rows
-  /// come from the top downwards, each once.
-  template <class F>
-  void read(int y, F use) {
-    for (const std::size_t t : rows_[static_cast<std::size_t>(y - spool_.info_.window.y0)]) {
-      const Window& window = spool_.windows_[t];
-      const Kept& tile = spool_.tiles_[t];
-      const std::size_t first = pixel_of(window, window.x0, y), width = static_cast<std::size_t>(window.width());
-      const auto counts = std::span(tile.counts).subspan(first, width);
-      entries_.resize(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
-      const std::span<char> bytes(reinterpret_cast<char*>(entries_.data()), entries_.size() * sizeof(EntrySum));
-      spool_.file_->read(next_[t], bytes);
-      next_[t] += bytes.size();
-      for (EntrySum& entry : entries_) entry.word = rank_[entry.word];
-      counts_.assign(counts.begin(), counts.end());
-      if (spool_.is_folded()) add_up_classes();
-      use(window.x0, counts_, entries_);
+  /// Appends row y.
+  void append(int y, std::vector<std::uint32_t>& counts, std::vector<EntrySum>& entries) {
+    std::vector<Source> sources;
+    for (const SpooledTiles* tiles : {spool_.added_up_.get(), spool_.fresh_.get()})
+      if (tiles != nullptr)
+        for (SpooledTiles::Piece& piece : tiles->pieces(y)) sources.push_back({tiles, std::move(piece)});
+
+    // All entries of a pixel side by side, whichever tile they are from; then those of the same word as one.
+    const Window& window = spool_.info_.window;
+    std::vector<std::size_t> next(static_cast<std::size_t>(window.width()) + 1);
+    std::vector<int> sources_of(next.size());
+    for (const auto& [tiles, piece] : sources) {
+      auto column = static_cast<std::size_t>(piece.x0 - window.x0);
+      for (const std::uint32_t count : piece.counts) {
+        if (count > 0) ++sources_of[column];
+        next[++column] += count;
+      }
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    const std::vector<std::size_t> ends(next.begin() + 1, next.end());
+    row_.resize(next.back());
+    for (const auto& [tiles, piece] : sources) {
+      tiles->read(piece, piece_entries_);
+      auto column = static_cast<std::size_t>(piece.x0 - window.x0);
+      const EntrySum* entry = piece_entries_.data();
+      for (const std::uint32_t count : piece.counts) {
+        for (std::uint32_t e = 0; e < count; ++e, ++entry) {
+          EntrySum& place = row_[next[column]++];
+          place = *entry;
+          place.word = rank_[entry->word];
+        }
+        ++column;
+      }
+    }
+    const EntrySum* from = row_.data();
+    for (std::size_t column = 0; column < ends.size(); ++column) {
+      const std::size_t first = entries.size();
+      const EntrySum* const to = row_.data() + ends[column];
+      entries.insert(entries.end(), from, to);
+      from = to;
+      if (sources_of[column] > 1 || spool_.is_folded()) add_up_equals(entries, first);
+      counts.push_back(static_cast<std::uint32_t>(entries.size() - first));
     }
   }
 
  private:
-  /// Several words of a pixel may have become one class.
-  void add_up_classes() {
-    std::vector<EntrySum> sums;
-    const EntrySum* next = entries_.data();
-    for (std::uint32_t& count : counts_) {
-      const std::size_t first = sums.size();
-      sums.insert(sums.end(), next, next + count);
-      next += count;
-      add_up_equals(sums, first);
-      count = static_cast<std::uint32_t>(sums.size() - first);
-    }
-    entries_ = std::move(sums);
-  }
+  struct Source {
+    const SpooledTiles* tiles;
+    SpooledTiles::Piece piece;
+  };
 
   const RecordSpool& spool_;
   std::vector<std::uint32_t> rank_;
-  std::vector<std::vector<std::size_t>> rows_;
-  std::vector<std::uint64_t> next_;  // by tile: the place of the row that comes next
-  std::vector<EntrySum> entries_;    // of the current row
-  std::vector<std::uint32_t> counts_;
+  std::vector<EntrySum> piece_entries_, row_;
 };
 
 RecordSpool::RecordSpool(RenderInfo info, const std::optional<std::filesystem::path>& target,
-                         const std::optional<FoldRule>& rule)
+                         const std::optional<FoldRule>& rule, std::uint64_t least_added_up)
     : info_(std::move(info)),
+      target_(target),
+      least_added_up_(least_added_up),
       words_(std::make_unique<WordSums>(rule)),
-      file_(target ? std::make_unique<SpoolFile>(*target) : nullptr) {}
+      fresh_(spooled_tiles(target, info_.window)),
+      samples_(info_.window.pixel_count()) {}
 RecordSpool::~RecordSpool() = default;
 
-void RecordSpool::submit(const Tile& tile) {
+void RecordSpool::submit(Tile tile) {
   check_tile(tile, info_.window);
   const std::lock_guard lock(mutex_);
   const std::vector<std::uint32_t> numbers = words_->add(tile);
-  if (!tile.ambient.empty() || !tile.phantom.empty()) paste(tile.samples, tile.window, info_.window, samples_);
-  paste(tile.ambient, tile.window, info_.window, ambient_);
-  paste(tile.phantom, tile.window, info_.window, phantom_);
-  if (!file_) return;
-  std::vector<EntrySum> entries = tile.entries;
-  for (EntrySum& entry : entries) entry.word = numbers[entry.word];
-  Kept kept{.samples = tile.samples, .counts = {}};
-  kept.counts.reserve(tile.window.pixel_count());
-  for (std::size_t pixel = 0; pixel < tile.window.pixel_count(); ++pixel) {
-    kept.counts.push_back(static_cast<std::uint32_t>(tile.offsets[pixel + 1] - tile.offsets[pixel]));
-    if (info_.precision == Precision::Half)
-      for (std::size_t e = tile.offsets[pixel]; e < tile.offsets[pixel + 1]; ++e)
-        exr::count_rounding(rounding_, mean_of(entries[e].sum, tile.samples[pixel]));
-  }
-  kept.place = file_->append({reinterpret_cast<const char*>(entries.data()), entries.size() * sizeof(EntrySum)});
-  windows_.push_back(tile.window);
-  tiles_.push_back(std::move(kept));
+  if (fresh_) keep(tile, numbers);
+  add_pixels(tile.samples, tile.window, info_.window, samples_);
+  add_pixels(tile.ambient, tile.window, info_.window, ambient_);
+  add_pixels(tile.phantom, tile.window, info_.window, phantom_);
 }
 
-Record RecordSpool::totals(bool partial) const {
-  Record record = words_->totals(info_);
-  record.info.partial = partial;
-  record.tally += rounding_;
-  record.ambient = means_of(ambient_, samples_);
-  record.phantom = means_of(phantom_, samples_);
-  return record;
+void RecordSpool::keep(Tile& tile, const std::vector<std::uint32_t>& numbers) {
+  for (EntrySum& entry : tile.entries) entry.word = numbers[entry.word];
+  std::vector<std::uint32_t> counts;
+  counts.reserve(tile.window.pixel_count());
+  for (int y = tile.window.y0; y < tile.window.y1; ++y)
+    for (int x = tile.window.x0; x < tile.window.x1; ++x) {
+      const std::size_t pixel = counts.size();
+      counts.push_back(static_cast<std::uint32_t>(tile.offsets[pixel + 1] - tile.offsets[pixel]));
+      // A pixel has all its samples in one tile, unless tiles overlap.
+      const bool was_seen = samples_[pixel_of(info_.window, x, y)] > 0;
+      overlap_ = overlap_ || (counts.back() > 0 && (was_seen || tile.samples[pixel] == 0));
+    }
+  fresh_->append(tile.window, counts, tile.entries);
+  if (overlap_ && fresh_->bytes() > std::max(least_added_up_, added_up_ ? added_up_->bytes() : 0)) add_up();
+}
+
+void RecordSpool::add_up() {
+  auto sum = std::make_unique<SpooledTiles>(info_.window, *target_);
+  const std::vector<std::uint32_t> numbers = words_->numbers();
+  RowReader reader(*this);
+  std::vector<std::uint32_t> counts;
+  std::vector<EntrySum> entries;
+  for (int y = info_.window.y0; y < info_.window.y1; ++y) {
+    counts.clear();
+    entries.clear();
+    reader.append(y, counts, entries);
+    for (EntrySum& entry : entries) entry.word = numbers[entry.word];
+    sum->append({info_.window.x0, y, info_.window.x1, y + 1}, counts, entries);
+  }
+  added_up_ = std::move(sum);
+  fresh_ = spooled_tiles(target_, info_.window);
 }
 
 bool RecordSpool::is_folded() const {
   return words_->is_folded();
 }
 
-SumsStream RecordSpool::stream(bool partial) const {
-  SumsStream stream{info_, is_folded() ? Tile{} : words_->tile(), [this] {
-                      auto reader = std::make_shared<RowReader>(*this);
-                      return [reader](SumsBand& band) { read_band(*reader, band); };
-                    }};
-  stream.info.partial = partial;
+SumsStream RecordSpool::stream() const {
+  SumsStream stream{.info = info_, .totals = words_->tile(), .begin = {}, .folding = words_->folding()};
   Tile& totals = stream.totals;
   totals.window = info_.window;
+  totals.samples = samples_;
   totals.ambient = ambient_;
   totals.phantom = phantom_;
-  totals.samples.resize(info_.window.pixel_count());
-  for (std::size_t t = 0; t < tiles_.size(); ++t) paste(tiles_[t].samples, windows_[t], info_.window, totals.samples);
+  stream.info.partial = is_partial(info_, totals);
+  stream.begin = [this] {
+    assert(fresh_ != nullptr);
+    return [reader = RowReader(*this)](SumsBand& band) mutable {
+      band.counts.clear();
+      band.entries.clear();
+      for (int y = band.window.y0; y < band.window.y1; ++y) reader.append(y, band.counts, band.entries);
+    };
+  };
   return stream;
-}
-
-void RecordSpool::read_band(RowReader& reader, SumsBand& band) {
-  band.counts.assign(band.window.pixel_count(), 0);
-  band.entries.clear();
-  for (int y = band.window.y0; y < band.window.y1; ++y)
-    reader.read(y, [&](int x0, std::span<const std::uint32_t> counts, std::span<const EntrySum> entries) {
-      const std::size_t first = pixel_of(band.window, x0, y);
-      std::copy(counts.begin(), counts.end(), band.counts.begin() + static_cast<std::ptrdiff_t>(first));
-      band.entries.insert(band.entries.end(), entries.begin(), entries.end());
-    });
-}
-
-void RecordSpool::write(const std::filesystem::path& path, bool partial) const {
-  const SumsStream sums = stream(partial);
-  exr::write_record_file(totals(partial), exr::means_of_bands(sums, info_.precision), nullptr, path);
 }
 
 }  // namespace heckbert::record

@@ -82,12 +82,17 @@ void TileRecorder::splat(int x, int y, const Contribution& contribution) {
   if (is_black(value) || !accept(value)) return;
   const auto pixel = static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
                      static_cast<std::size_t>(x - window_.x0);
-  splats_.add(pixel, contribution.word, batch_, sum_of(value));
+  sum_of(value);
+  splats_.add(pixel, contribution.word, batch_, value);
   ++count_of(tile_.tally, contribution.technique);
 }
 
+void TileRecorder::sort_splats() {
+  splats_.sort(words());
+}
+
 Tile TileRecorder::end_splats() {
-  return splats_.tile(window_, words());
+  return splats_.tile(window_);
 }
 
 void TileRecorder::add_non_path(NonPath buffer, Rgb value) {

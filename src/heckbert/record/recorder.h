@@ -59,8 +59,12 @@ class TileRecorder final : public PathSink {
   void begin_tile(const Window& window);
   /// Call after the last sample of the tile. Pixels without samples have no entries.
   Tile end_tile();
-  /// All splats since the last call, as a tile of the picture's window that has no samples.
+  /// All splats since the last time, as a tile of the picture's window that has no samples. First they are sorted,
+  /// which others need not wait for.
+  void sort_splats();
   Tile end_splats();
+  /// Memory that they take, nearly.
+  std::size_t splat_bytes() const { return splats_.bytes(); }
 
   void begin_sample(int x, int y, int sample) override;
   void add(const Contribution& contribution) override;

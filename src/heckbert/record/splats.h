@@ -1,9 +1,11 @@
 #pragma once
 // What walks from the light bring to the picture: each contribution lands at whatever pixel it is seen in, not at that
-// of the sample under way. One thread's splats are kept by pixel and word for the whole picture, and become a tile of
-// it without samples of its own: tiles add up exactly (sums.h), so it does not matter which thread a splat came from.
+// of the sample under way. One thread's splats are kept as they come, and become a tile of the picture without samples
+// of its own: tiles add up exactly (sums.h), so it does not matter which thread a splat came from, nor how many tiles
+// they were made into. Kept so, a splat takes 20 bytes; in a table by pixel and word it would take more than a hundred,
+// and few are for the same place as another before memory has to be freed.
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -18,24 +20,29 @@ struct Tile;
 
 class Splats {
  public:
-  bool empty() const { return sums_.empty(); }
-  /// `pixel` counts row by row over the window that tile() gets.
-  void add(std::size_t pixel, taxonomy::WordTrie::Node word, std::size_t batch, const RgbSum& sum);
-  /// All of them, which are then forgotten. The window has pixels for all.
-  Tile tile(const Window& window, const taxonomy::WordTrie& words);
+  /// Memory that the splats take, nearly.
+  std::size_t bytes() const;
+  /// `pixel` counts row by row over the window that tile() gets. Takes: light as RgbSum takes it.
+  void add(std::size_t pixel, taxonomy::WordTrie::Node word, std::size_t batch, Rgb light);
+  /// What takes time before tile(), for callers that let others wait during that. Takes: that no add() comes between.
+  void sort(const taxonomy::WordTrie& words);
+  /// All of them, which are then forgotten. Takes: that they are sorted, and a window that has pixels for all.
+  Tile tile(const Window& window);
 
  private:
-  struct Sum {
-    RgbSum sum;
-    std::uint32_t count = 0;
+  struct Splat {
+    std::uint32_t pixel, word;  ///< a node, once sorted the place in words_
+    Rgb light;
   };
-  struct BatchSums {
-    std::array<RgbSum, kBatches> sums{};
-    std::array<std::uint64_t, kBatches> counts{};
+  struct Found {
+    RgbSum sum;
+    std::uint64_t count = 0;
   };
 
-  std::unordered_map<std::uint64_t, Sum> sums_;  ///< by pixel (upper half) and word
-  std::unordered_map<taxonomy::WordTrie::Node, BatchSums> batches_;
+  std::vector<Splat> splats_;
+  std::unordered_map<std::uint64_t, Found> batches_;                    ///< by word, a node, and batch
+  std::vector<taxonomy::Word> words_;                                   ///< of sorted splats
+  std::unordered_map<taxonomy::WordTrie::Node, std::uint32_t> places_;  ///< in words_
 };
 
 }  // namespace heckbert::record

@@ -17,6 +17,7 @@ class SpoolFile {
 
   /// Gives the place where the bytes begin. Not thread-safe.
   std::uint64_t append(std::span<const char> bytes);
+  std::uint64_t bytes() const { return size_; }
   /// Takes: a place from append() and as many bytes as lie from there on.
   void read(std::uint64_t place, std::span<char> bytes) const;
 

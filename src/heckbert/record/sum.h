@@ -52,8 +52,10 @@ struct RgbSum {
   constexpr bool operator==(const RgbSum&) const = default;
 };
 
-/// The mean, each channel rounded to float at the end.
+/// The mean, each channel rounded to float at the end; black of no samples: what walks from the light brought to a
+/// pixel before its first sample, in a render that was stopped, waits in the sum.
 inline Rgb mean_of(const RgbSum& sum, double samples) {
+  if (samples <= 0) return {};
   return {static_cast<float>(mean_of(sum.r, samples)), static_cast<float>(mean_of(sum.g, samples)),
           static_cast<float>(mean_of(sum.b, samples))};
 }

@@ -47,16 +47,22 @@ std::vector<taxonomy::Word> united_words(const std::vector<Tile>& tiles,
 }
 
 void add_up_batches(Tile& sum, const std::vector<Tile>& tiles, const std::vector<std::vector<std::uint32_t>>& places) {
-  std::vector<std::array<BatchSum, kBatches>> all(sum.words.size());
+  std::vector<BatchSum>& all = sum.batch_sums;
   for (std::size_t t = 0; t < tiles.size(); ++t)
-    for (const BatchSum& found : tiles[t].batch_sums) {
-      BatchSum& batch = all[places[t][found.word]][found.batch];
-      batch.count += found.count;
-      batch.sum += found.sum;
+    for (const BatchSum& found : tiles[t].batch_sums)
+      all.push_back({places[t][found.word], found.batch, found.count, found.sum});
+  const auto place = [](const BatchSum& batch) { return std::pair(batch.word, batch.batch); };
+  std::ranges::sort(all, {}, place);
+  std::size_t last = 0;
+  for (std::size_t b = 1; b < all.size(); ++b) {
+    if (place(all[b]) != place(all[last])) {
+      all[++last] = all[b];
+      continue;
     }
-  for (std::uint32_t w = 0; w < all.size(); ++w)
-    for (std::uint32_t b = 0; b < kBatches; ++b)
-      if (const BatchSum& batch = all[w][b]; batch.count > 0) sum.batch_sums.push_back({w, b, batch.count, batch.sum});
+    all[last].count += all[b].count;
+    all[last].sum += all[b].sum;
+  }
+  if (!all.empty()) all.resize(last + 1);
 }
 
 void add_to_row(std::vector<RgbSum>& sum, const std::vector<RgbSum>& pixels, const Row& row, std::size_t pixel_count) {
@@ -215,14 +221,6 @@ RenderInfo info_of_both(const RenderInfo& a, const RenderInfo& b) {
 Sums merged(Sums a, Sums b) {
   RenderInfo info = info_of_both(a.info, b.info);
   Sums sums{std::move(info), added(std::move(a.tile), std::move(b.tile))};
-  sums.info.partial = is_partial(sums.info, sums.tile);
-  return sums;
-}
-
-Sums completed(Sums begun, std::vector<Tile> rest) {
-  const Window window = begun.info.window;
-  rest.push_back(std::move(begun.tile));
-  Sums sums{std::move(begun.info), added(window, std::move(rest))};
   sums.info.partial = is_partial(sums.info, sums.tile);
   return sums;
 }

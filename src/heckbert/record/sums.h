@@ -49,9 +49,6 @@ bool is_partial(const RenderInfo& info, const Tile& tile);
 /// All samples of both. Errors: as info_of_both().
 Sums merged(Sums a, Sums b);
 
-/// The finished part of a render and the tiles of its remainder, as one.
-Sums completed(Sums begun, std::vector<Tile> rest);
-
 /// "" or why the samples of both may be the same ones although their ranges say nothing of it.
 std::string doubt_of(const RenderInfo& a, const RenderInfo& b);
 

@@ -3,6 +3,7 @@
 #include <OpenEXR/ImfDeepScanLineInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <span>
@@ -71,7 +72,7 @@ class RowReader {
       for (; e < pixels.offsets[i + 1] - pixels.offsets.front(); ++e) {
         sums[e].word = entries_[e].word;
         sums[e].count = entries_[e].count;
-        require(samples > 0 && mean_of(sums[e].sum, samples) == entries_[e].energy, kOthers);
+        require(mean_of(sums[e].sum, samples) == entries_[e].energy, kOthers);
       }
     }
   }
@@ -125,18 +126,13 @@ void write_sums(const Sums& sums, const std::filesystem::path& path) {
 }
 
 void write_sums(const SumsStream& sums, const std::filesystem::path& path) {
-  Record means = totals_of(sums);
-  means.info.precision = Precision::Float;  // reading compares them with the sums
+  assert(!sums.folding);
+  const Record means = totals_of(sums);  // floats, since reading compares them with the sums
   exr::write_record_file(means, exr::means_of_bands(sums, Precision::Float), &sums, path);
 }
 
-void write_record(const SumsStream& sums, const std::filesystem::path& path) {
-  Record means = totals_of(sums);
-  if (means.info.precision == Precision::Half)
-    rows_of(sums)([&](const PixelRow& row) {
-      for (const Entry& entry : row.entries) exr::count_rounding(means.tally, entry.energy);
-    });
-  exr::write_record_file(means, exr::means_of_bands(sums, means.info.precision), nullptr, path);
+void write_record(const Record& totals, const SumsStream& sums, const std::filesystem::path& path) {
+  exr::write_record_file(totals, exr::means_of_bands(sums, totals.info.precision), nullptr, path);
 }
 
 }  // namespace heckbert::record

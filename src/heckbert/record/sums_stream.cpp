@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include <heckbert/record/paths_part.h>
 #include <heckbert/record/word_sums.h>
 
 namespace heckbert::record {
@@ -49,12 +50,31 @@ class MergingPass {
   std::vector<SumsBand> bands_;
 };
 
+SumsStream added(RenderInfo info, std::vector<SumsStream> streams) {
+  SumsStream sum{.info = std::move(info), .totals = {}, .begin = {}};
+  std::vector<Tile> totals;
+  std::vector<std::function<SumsPass()>> begins;
+  for (SumsStream& stream : streams) {
+    assert(!stream.folding);
+    totals.push_back(std::move(stream.totals));
+    begins.push_back(std::move(stream.begin));
+  }
+  auto places = std::make_shared<MergingPass::Places>();
+  sum.totals = added_totals(sum.info.window, totals, *places);
+  sum.info.partial = is_partial(sum.info, sum.totals);
+  sum.begin = [begins = std::move(begins), places = std::shared_ptr<const MergingPass::Places>(std::move(places))] {
+    std::vector<SumsPass> passes;
+    for (const auto& begin : begins) passes.push_back(begin());
+    return MergingPass(std::move(passes), places);
+  };
+  return sum;
+}
+
 }  // namespace
 
 std::vector<Rgb> means_of(const std::vector<RgbSum>& sums, const std::vector<std::uint32_t>& samples) {
   std::vector<Rgb> means(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (samples[i] > 0) means[i] = mean_of(sums[i], samples[i]);
+  for (std::size_t i = 0; i < sums.size(); ++i) means[i] = mean_of(sums[i], samples[i]);
   return means;
 }
 
@@ -84,23 +104,17 @@ SumsStream stream_of(const Sums& sums) {
 
 SumsStream merged(std::vector<SumsStream> streams) {
   assert(!streams.empty());
-  SumsStream sum{.info = streams.front().info, .totals = {}, .begin = {}};
-  std::vector<Tile> totals;
-  std::vector<std::function<SumsPass()>> begins;
-  for (SumsStream& stream : streams) {
-    if (!totals.empty()) sum.info = info_of_both(sum.info, stream.info);
-    totals.push_back(std::move(stream.totals));
-    begins.push_back(std::move(stream.begin));
-  }
-  auto places = std::make_shared<MergingPass::Places>();
-  sum.totals = added_totals(sum.info.window, totals, *places);
-  sum.info.partial = is_partial(sum.info, sum.totals);
-  sum.begin = [begins = std::move(begins), places = std::shared_ptr<const MergingPass::Places>(std::move(places))] {
-    std::vector<SumsPass> passes;
-    for (const auto& begin : begins) passes.push_back(begin());
-    return MergingPass(std::move(passes), places);
-  };
-  return sum;
+  RenderInfo info = streams.front().info;
+  for (std::size_t s = 1; s < streams.size(); ++s) info = info_of_both(info, streams[s].info);
+  return added(std::move(info), std::move(streams));
+}
+
+SumsStream completed(SumsStream begun, SumsStream rest) {
+  RenderInfo info = rest.info;
+  std::vector<SumsStream> both;
+  both.push_back(std::move(begun));
+  both.push_back(std::move(rest));
+  return added(std::move(info), std::move(both));
 }
 
 Sums collected(const SumsStream& stream) {
@@ -115,12 +129,16 @@ Sums collected(const SumsStream& stream) {
   return sums;
 }
 
-Record totals_of(const SumsStream& stream) {
-  WordSums words;
-  words.add(stream.totals);
-  Record record = words.totals(stream.info);
+Record totals_of(const SumsStream& stream, Precision precision) {
+  Record record = means_of_words(stream.info, stream.totals);
+  record.info.precision = precision;
   record.ambient = means_of(stream.totals.ambient, stream.totals.samples);
   record.phantom = means_of(stream.totals.phantom, stream.totals.samples);
+  record.folding = stream.folding;
+  if (precision == Precision::Half)
+    rows_of(stream)([&](const PixelRow& row) {
+      for (const Entry& entry : row.entries) exr::count_rounding(record.tally, entry.energy);
+    });
   return record;
 }
 
@@ -140,7 +158,7 @@ Rows rows_of(const SumsStream& stream) {
       for (std::size_t i = 0; i < band.counts.size(); ++i) {
         const std::uint32_t samples = stream.totals.samples[first_pixel + i];
         for (std::uint32_t e = 0; e < band.counts[i]; ++e, ++next)
-          if (samples > 0) entries.push_back({next->word, mean_of(next->sum, samples), next->count});
+          entries.push_back({next->word, mean_of(next->sum, samples), next->count});
         offsets.push_back(entries.size());
       }
       visit({.y = y, .first_pixel = first_pixel, .offsets = offsets, .entries = entries});

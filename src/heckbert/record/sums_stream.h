@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <heckbert/record/rows.h>
@@ -26,6 +27,8 @@ struct SumsStream {
   RenderInfo info;
   Tile totals;                      ///< of the whole window, without offsets and entries
   std::function<SumsPass()> begin;  ///< as often as one likes; words are those of `totals`
+  /// Where words stand for classes. Nothing can be added to such sums.
+  std::optional<Folding> folding{};
 };
 
 /// By pixel; black where there are no samples.
@@ -38,11 +41,15 @@ SumsStream stream_of(const Sums& sums);
 /// Errors: MergeError when they are not alike or have samples in common.
 SumsStream merged(std::vector<SumsStream> streams);
 
+/// The finished part of a render and the rest of it, as one. Takes: streams of the same samples. Memory: as merged().
+SumsStream completed(SumsStream begun, SumsStream rest);
+
 /// All of it in memory.
 Sums collected(const SumsStream& stream);
 
-/// The means without their pixels; and those, for which the stream must outlive the rows.
-Record totals_of(const SumsStream& stream);
+/// The means without their pixels; and those, for which the stream must outlive the rows. Where `precision` is half,
+/// the stream is gone through to count what that loses.
+Record totals_of(const SumsStream& stream, Precision precision = Precision::Float);
 Rows rows_of(const SumsStream& stream);
 
 }  // namespace heckbert::record

@@ -92,41 +92,15 @@ std::vector<std::pair<const taxonomy::Word*, WordSums::Number>> WordSums::sorted
   return words;
 }
 
-Record WordSums::totals(const RenderInfo& info) const {
-  const auto words = sorted();
-  Record record;
-  record.info = info;
-  record.tally = tally_;
-  record.words.reserve(words.size());
-  record.counts.reserve(words.size());
-  record.batch_means.resize(words.size() * kBatches);
-  const auto sizes = batch_sizes(info);
-  const auto pixels = static_cast<double>(info.window.pixel_count());
-  for (const auto& [word, number] : words) {
-    Rgb* const means = &record.batch_means[record.words.size() * kBatches];
-    std::uint64_t count = 0;
-    for (const BatchSum& sum : batches_[number]) {
-      means[sum.batch] = mean_of(sum.sum, sizes[sum.batch] * pixels);
-      count += sum.count;
-    }
-    record.words.push_back(*word);
-    record.counts.push_back(count);
-  }
-  if (is_folded()) record.folding = {static_cast<int>(folded_->longest), numbers_.size(), folded_->rule.exact};
-  return record;
-}
-
 Tile WordSums::tile() const {
-  assert(!is_folded() && "sums of classes cannot be added to");
   Tile tile;
   tile.tally = tally_;
-  tile.words.reserve(numbers_.size());
-  for (const auto& [word, number] : numbers_) {
+  for (const auto& [word, number] : sorted()) {
     for (BatchSum sum : batches_[number]) {
       sum.word = static_cast<std::uint32_t>(tile.words.size());
       tile.batch_sums.push_back(sum);
     }
-    tile.words.push_back(word);
+    tile.words.push_back(*word);
   }
   return tile;
 }
@@ -134,10 +108,38 @@ Tile WordSums::tile() const {
 std::vector<std::uint32_t> WordSums::ranks() const {
   std::vector<std::uint32_t> ranks(batches_.size());
   std::uint32_t rank = 0;
-  for (const auto& [word, number] : sorted()) ranks[number] = rank++;
+  for (const Number number : numbers()) ranks[number] = rank++;
   if (folded_)
     for (const auto& [from, to] : folded_->moved) ranks[from] = ranks[to];
   return ranks;
+}
+
+std::vector<std::uint32_t> WordSums::numbers() const {
+  std::vector<Number> numbers;
+  for (const auto& [word, number] : sorted()) numbers.push_back(number);
+  return numbers;
+}
+
+std::optional<Folding> WordSums::folding() const {
+  if (!is_folded()) return {};
+  return Folding{static_cast<int>(folded_->longest), numbers_.size(), folded_->rule.exact};
+}
+
+Record means_of_words(const RenderInfo& info, const Tile& totals) {
+  Record record;
+  record.info = info;
+  record.tally = totals.tally;
+  record.words = totals.words;
+  record.counts.resize(totals.words.size());
+  record.batch_means.resize(totals.words.size() * kBatches);
+  const auto sizes = batch_sizes(info);
+  const auto pixels = static_cast<double>(info.window.pixel_count());
+  for (const BatchSum& batch : totals.batch_sums) {
+    record.counts[batch.word] += batch.count;
+    record.batch_means[batch.word * std::size_t{kBatches} + batch.batch] =
+        mean_of(batch.sum, sizes[batch.batch] * pixels);
+  }
+  return record;
 }
 
 void check_tile(const Tile& tile, const Window& window) {

@@ -23,13 +23,14 @@ class WordSums {
 
   /// Adds the tile's batches and tally; gives the number of each of its words, or of its class.
   std::vector<std::uint32_t> add(const Tile& tile);
-  /// A record with all but its pixels. Sorts words, drops none.
-  Record totals(const RenderInfo& info) const;
-  /// A tile with all but its pixels.
+  /// A tile with all but its pixels. Words are sorted, none dropped; behind them come classes, each as its first word.
   Tile tile() const;
-  /// By number of a word: its place among the sorted ones, or that of its class.
+  /// By number of a word: its place in tile(), or that of its class.
   std::vector<std::uint32_t> ranks() const;
+  /// By place in tile(): the number.
+  std::vector<std::uint32_t> numbers() const;
   bool is_folded() const { return folded_ && !folded_->classes.empty(); }
+  std::optional<Folding> folding() const;
 
  private:
   using Number = std::uint32_t;
@@ -57,6 +58,10 @@ class WordSums {
   Tally tally_;
   std::optional<Folded> folded_;
 };
+
+/// The means of totals: a record without pixels. Takes: a tile of the whole window; its offsets and entries are not
+/// looked at.
+Record means_of_words(const RenderInfo& info, const Tile& totals);
 
 /// Throws std::logic_error unless the tile lies inside the window and its lists fit one another.
 void check_tile(const Tile& tile, const Window& window);

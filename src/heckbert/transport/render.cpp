@@ -32,7 +32,7 @@ using record::Window;
 namespace {
 
 constexpr int kTileSize = 32;
-/// Splats are handed over this often, for checkpoints.
+/// Splats are handed over this often at least, for checkpoints.
 constexpr std::chrono::seconds kLongestWait{20};
 
 void check(const Scene& scene, const RenderSettings& settings) {
@@ -166,9 +166,11 @@ struct Done {
 };
 
 /// The samples of these numbers, of all pixels of a tile until the render is stopped.
-Done trace_tile(const Job& job, const World& world, record::PathSink& sink, std::vector<record::Contribution>& found,
+template <class Worker>
+Done trace_tile(const Job& job, const World& world, Worker& worker, std::vector<record::Contribution>& found,
                 const Window& tile, record::SampleRange samples) {
   Done done;
+  worker.begin(tile);
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1 && !job.is_stopped(); ++x) {
       if (job.skips(x, y)) continue;
@@ -177,15 +179,20 @@ Done trace_tile(const Job& job, const World& world, record::PathSink& sink, std:
       for (int repeat = 0; repeat < repeats; ++repeat) {
         const SamplePlan plan = job.plan(repeat);
         for (int sample = samples.first; sample < samples.last; ++sample)
-          done.rays += trace_sample(job, world, sink, found, plan, x, y, sample);
+          done.rays += trace_sample(job, world, worker.sink(), found, plan, x, y, sample);
+      }
+      if (worker.is_due()) {
+        worker.end();
+        worker.begin(tile);
       }
     }
+  worker.end();
   return done;
 }
 
 /// Traces every tile of the picture, once or in passes. `make_worker()` is called once per thread; a worker has sink(),
-/// begin(tile) and end() for each tile, and finish() for the end of its work.
-/// Gives back whether the whole picture was done.
+/// begin(tile) and end() for each tile, is_due() where a tile had better end, its rest being another one, and finish()
+/// for the end of its work. Gives back whether the whole picture was done.
 template <class MakeWorker>
 bool trace_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks, bool wants_words,
                  MakeWorker make_worker) {
@@ -219,9 +226,7 @@ bool trace_tiles(const Scene& scene, const RenderSettings& settings, const Rende
           auto& worker = workers[thread];
           std::vector<record::Contribution> found;
           for (std::size_t number; !job.is_stopped() && (number = next_tile++) < job.tiles.size();) {
-            worker.begin(job.tiles[number]);
-            const Done done = trace_tile(job, world, worker.sink(), found, job.tiles[number], numbers);
-            worker.end();
+            const Done done = trace_tile(job, world, worker, found, job.tiles[number], numbers);
             pixels_done += done.pixels;
             meter.advance(done.pixels, done.rays);
           }
@@ -290,51 +295,65 @@ bool render_tiles(const Scene& scene, const RenderSettings& settings, const Rend
   check(scene, settings);
   const record::RenderInfo info = info_of(scene, settings);
   std::mutex mutex;
-  /// Where walks splat, finished tiles wait for the splats that were made with them, and both go together, so that
-  /// what was handed over is always what some number of whole samples found. Tiles of many passes wait for each other.
+  /// Where walks splat, finished tiles wait for the splats that were made with them, and all go together, so that what
+  /// was handed over is always what some number of whole samples found.
   struct Worker {
     using Clock = std::chrono::steady_clock;
     record::TileRecorder recorder;
     const std::function<void(record::Tile)>& take;
+    const RenderHooks& hooks;
     std::mutex& mutex;
-    bool overlaps;
-    Window window;
+    bool splats;
     std::vector<record::Tile> waiting{};
+    std::size_t waiting_bytes = 0;
     Clock::time_point last = Clock::now();
 
     record::PathSink& sink() { return recorder; }
     void begin(const Window& tile) { recorder.begin_tile(tile); }
+    bool is_due() const {
+      return splats && (waiting_bytes + recorder.splat_bytes() > kSplatBytes || Clock::now() - last >= kLongestWait);
+    }
     void end() {
-      if (!overlaps) return hand_over(recorder.end_tile());
       waiting.push_back(recorder.end_tile());
-      if (Clock::now() - last >= kLongestWait) finish();
+      waiting_bytes += waiting.back().entries.size() * sizeof(record::EntrySum);
+      if (!splats || is_due()) finish();
     }
     void finish() {
       if (waiting.empty()) return;
-      waiting.push_back(recorder.end_splats());
-      hand_over(record::added(window, std::exchange(waiting, {})));
-      last = Clock::now();
-    }
-    void hand_over(record::Tile tile) {
+      if (splats) recorder.sort_splats();
       const std::scoped_lock lock(mutex);
-      take(std::move(tile));
+      for (record::Tile& tile : waiting) take(std::move(tile));
+      if (splats) take(recorder.end_splats());
+      if (hooks.settled) hooks.settled();
+      waiting.clear();
+      waiting_bytes = 0;
+      last = Clock::now();
     }
   };
   return trace_tiles(scene, settings, hooks, true, [&] {
-    return Worker{record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr), take, mutex,
-                  facts(settings.algorithm).from_light, info.window};
+    return Worker{.recorder = record::TileRecorder(info, settings.sample_map ? &*settings.sample_map : nullptr),
+                  .take = take,
+                  .hooks = hooks,
+                  .mutex = mutex,
+                  .splats = facts(settings.algorithm).splats};
   });
 }
 
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks) {
   check(scene, settings);
   if (facts(settings.algorithm).from_light) {
-    // Each is as large as the picture.
+    // Tiles that overlap take more memory apart than together.
+    constexpr std::size_t kMostPictures = 8;
+    const Window window = picture_window(settings);
     std::vector<record::Tile> tiles;
-    const auto add_up = [&] { return record::added(picture_window(settings), std::exchange(tiles, {})); };
+    std::size_t pixels = 0;  // of all of these
+    const auto add_up = [&] { return record::added(window, std::exchange(tiles, {})); };
     const bool complete = render_tiles(scene, settings, hooks, [&](record::Tile tile) {
+      pixels += tile.window.pixel_count();
       tiles.push_back(std::move(tile));
-      if (tiles.size() > 8) tiles = {add_up()};
+      if (pixels <= kMostPictures * window.pixel_count()) return;
+      tiles = {add_up()};
+      pixels = window.pixel_count();
     });
     record::Sums sums{info_of(scene, settings), add_up()};
     sums.info.partial = !complete;
@@ -358,6 +377,7 @@ record::TechniqueTable measure_techniques(const Scene& scene, const RenderSettin
     std::mutex& mutex;
     record::PathSink& sink() { return recorder; }
     void begin(const Window&) {}
+    static bool is_due() { return false; }
     void end() {}
     void finish() {
       const std::scoped_lock lock(mutex);
@@ -378,6 +398,7 @@ record::Image render_picture_only(const Scene& scene, const RenderSettings& sett
     PictureSink picture;
     record::PathSink& sink() { return picture; }
     void begin(const Window&) {}
+    static bool is_due() { return false; }
     void end() {}
     void finish() {}
   };

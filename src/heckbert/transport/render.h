@@ -247,7 +247,14 @@ struct Progress {
 struct RenderHooks {
   std::function<void(const Progress&)> progress;  ///< called from tracing threads, one at a time, a few times a second
   const std::atomic<bool>* stop = nullptr;        ///< set it to stop soon; the record comes back partial
+  /// Called as tiles are handed over, after some of them: when all that were so far are what some number of whole
+  /// samples
+  /// found, and nothing else.
+  std::function<void()> settled{};
 };
+
+/// Memory of each thread for what waits to be handed over with splats.
+inline constexpr std::size_t kSplatBytes = 16 << 20;
 
 /// What the record of such a render says about it. Takes: settings that render() accepts.
 record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings);
@@ -260,9 +267,10 @@ record::RenderInfo info_of(const Scene& scene, const RenderSettings& settings);
 record::Record render(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks = {});
 
 /// Traces the scene and hands over sums as tiles are finished: in no certain order, from tracing threads, one at a
-/// time. Tiles of an algorithm that splats or goes by passes are as large as the picture and overlap: they add up
-/// (record/sums.h); until the last one is there, splats of walks not yet made are missing. Those of other algorithms
-/// are apart. Gives back whether it was not stopped. Errors: as render().
+/// time. Tiles of an algorithm that splats or goes by passes overlap: they add up (record/sums.h), and until the last
+/// one is there, splats of walks not yet made are missing. Those of other algorithms are apart. Memory: the tiles in
+/// flight and, where walks splat, kSplatBytes for each thread. Gives back whether it was not stopped. Errors: as
+/// render().
 bool render_tiles(const Scene& scene, const RenderSettings& settings, const RenderHooks& hooks,
                   const std::function<void(record::Tile)>& take);
 

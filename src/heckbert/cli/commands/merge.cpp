@@ -90,13 +90,13 @@ ExitCode run(const MergeOptions& options) {
   Inputs inputs(console);
   for (const std::string& name : options.records) inputs.add(name);
 
-  record::SumsStream sums = std::move(inputs).merged();
+  const record::SumsStream sums = std::move(inputs).merged();
   const std::vector<record::SampleRange> missing = record::missing_of(record::samples_of(sums.info));
   const bool keeps_sums = options.exact || sums.info.partial || !missing.empty();
-  sums.info.precision = keeps_sums ? record::Precision::Float : precision;
-  const record::Record record = record::totals_of(sums);
-  write_to(options.output,
-           [&](const auto& path) { keeps_sums ? record::write_sums(sums, path) : record::write_record(sums, path); });
+  const record::Record record = record::totals_of(sums, keeps_sums ? record::Precision::Float : precision);
+  write_to(options.output, [&](const auto& path) {
+    keeps_sums ? record::write_sums(sums, path) : record::write_record(record, sums, path);
+  });
 
   console.note(report::summary(sums.info));
   for (const record::SampleRange& range : missing) console.note("still missing: " + record::to_text(range));
