@@ -81,8 +81,7 @@ class EyeWalk {
       step = {.is_delta = is_delta,
               .is_from_particle = !hit,
               .pdf_solid_angle = static_cast<double>(next.pdf_solid_angle),
-              .pdf_reverse = is_delta ? (is_shaded_alike(world_.scene, *surface, onward) ? 1.0 : 0.0)
-                                      : at.pdf_to_eye(world_.scene, onward),
+              .pdf_reverse = is_delta ? 1.0 : at.pdf_to_eye(world_.scene, onward),
               .facing_from = static_cast<double>(place.facing(onward, 0))};
       if (next.transmitted && world_.has_bodies) walk_.bodies.cross(world_.scene, hit->material, hit->front);
       ray = next.ray;

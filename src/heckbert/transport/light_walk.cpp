@@ -36,6 +36,68 @@ Onward scatter_at_particle(const World& world, const LightVertex& at, Sampler& s
       .step = {.is_from_particle = true, .pdf_solid_angle = next.pdf_solid_angle, .pdf_reverse = next.pdf_solid_angle}};
 }
 
+/// Normals nearer than this are one, and were only rounded differently.
+constexpr float kSameNormal = 1e-4f;
+
+bool has_one_normal(const Vertex& vertex) {
+  const Hit& hit = vertex.hit;
+  return hit.normal_shading == hit.normal_geometric && !(hit.has_coordinates && vertex.material->normal_map);
+}
+
+/// Is the vertex shaded with the same normal when it is seen from the other side of the event?
+bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side) {
+  if (has_one_normal(vertex)) return true;
+  const Hit seen = seen_from(vertex.hit, other_side);
+  const Vertex other(scene, seen, -other_side);
+  const glm::vec3 normal = seen.front == vertex.hit.front ? other.frame.n : -other.frame.n;
+  return glm::distance(normal, vertex.frame.n) < kSameNormal;
+}
+
+/// How an event of a Dirac goes on towards the eye.
+struct DiracEvent {
+  Continuation next{};
+  float correction = 1;  ///< of the factor, for cosines that a walk from the eye does not see (Veach 1997, 5.3)
+};
+
+/// The event that the vertex makes of the draw; black also where a walk from the eye would not come back that way.
+DiracEvent follow_dirac(const Scene& scene, const Vertex& vertex, const Drawn& drawn, float cos_light) {
+  DiracEvent event{.next = follow_delta(vertex, drawn)};
+  if (is_black(event.next.factor)) return event;
+  const glm::vec3 to_eye = event.next.ray.direction;
+  const float cos_eye_shading = std::abs(vertex.frame.to_local(to_eye).z);
+  if (!(cos_eye_shading > 0) || !is_shaded_alike(scene, vertex, to_eye)) return {};
+  event.correction = vertex.wo.z * cosine(vertex.hit, to_eye) / (cos_light * cos_eye_shading);
+  return event;
+}
+
+/// A walk from the eye that comes to the surface may see another normal than one from the light (Vertex), and for a
+/// Dirac each normal has a way of its own: the light goes on by any way that a walk from the eye would come.
+DiracEvent draw_dirac(const Scene& scene, const LightVertex& at, const Drawn& drawn, float cos_light,
+                      Sampler& sampler) {
+  if (has_one_normal(*at.surface)) return follow_dirac(scene, *at.surface, drawn, cos_light);
+  const Hit& hit = at.hit;
+  std::array<glm::vec3, 3> normals{hit.normal_shading, hit.normal_geometric};
+  std::size_t number = 2;
+  if (hit.has_coordinates && at.surface->material->normal_map)
+    normals[number++] = mapped_normal(scene, *at.surface->material, hit);
+  DiracEvent chosen;
+  float found = 0;
+  for (std::size_t i = 0; i < number; ++i) {
+    const auto is_same = [&](glm::vec3 before) { return glm::distance(before, normals[i]) < kSameNormal; };
+    if (std::any_of(normals.begin(), normals.begin() + static_cast<std::ptrdiff_t>(i), is_same)) continue;
+    Vertex shaded = *at.surface;
+    shaded.frame = Frame::around(hit.front ? normals[i] : -normals[i]);
+    shaded.wo = shaded.frame.to_local(at.to_light);
+    if (!(shaded.wo.z > 0)) continue;
+    const DiracEvent event = follow_dirac(scene, shaded, drawn, cos_light);
+    if (is_black(event.next.factor)) continue;
+    ++found;
+    if (found == 1 || sampler.next() * found < 1) chosen = event;
+  }
+  chosen.next.factor *= found;
+  return chosen;
+}
+
 Onward scatter_at_surface(const World& world, const LightVertex& at, Sampler& sampler) {
   const Vertex& vertex = *at.surface;
   const std::optional<Drawn> drawn = draw_lobe(vertex, sampler);
@@ -45,19 +107,13 @@ Onward scatter_at_surface(const World& world, const LightVertex& at, Sampler& sa
   if (!(cos_light > 0)) return {};
 
   if (is_delta(vertex.lobes()[drawn->index])) {
-    const Continuation next = follow_delta(vertex, *drawn);
+    const auto [next, correction] = draw_dirac(world.scene, at, *drawn, cos_light, sampler);
     if (is_black(next.factor)) return {};
-    const glm::vec3 to_eye = next.ray.direction;
-    if (!is_shaded_alike(world.scene, vertex, to_eye)) return {};
-    const float cos_eye = cosine(at.hit, to_eye);
-    const float cos_eye_shading = std::abs(vertex.frame.to_local(to_eye).z);
-    if (!(cos_eye_shading > 0)) return {};
-    const float correction = vertex.wo.z * cos_eye / (cos_light * cos_eye_shading);
     return {.ray = next.ray,
             .event = {next.event, label},
             .factor = next.factor * (correction / next.radiance_scale),
             .transmitted = next.transmitted,
-            .step = {.is_delta = true, .pdf_reverse = 1, .facing_from = cos_eye}};
+            .step = {.is_delta = true, .pdf_reverse = 1, .facing_from = cosine(at.hit, next.ray.direction)}};
   }
 
   const glm::vec3 out = draw_direction(vertex, *drawn, sampler);
@@ -111,16 +167,6 @@ Rivals rivals_after(const Rivals& before, const Step& step) {
   const double reached = step.pdf_solid_angle * step.facing_to;
   return {squared(step.squared_distance / reached),
           squared(step.facing_from / reached) * (before.near + squared(step.pdf_reverse) * before.far)};
-}
-
-bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side) {
-  const Hit& hit = vertex.hit;
-  if (hit.normal_shading == hit.normal_geometric && !(hit.has_coordinates && vertex.material->normal_map)) return true;
-  const Hit seen = seen_from(hit, other_side);
-  const Vertex other(scene, seen, -other_side);
-  const glm::vec3 normal = seen.front == hit.front ? other.frame.n : -other.frame.n;
-  constexpr float kSame = 1e-4f;
-  return glm::distance(normal, vertex.frame.n) < kSame;
 }
 
 bool can_be_joined(const LightVertex& at) {

@@ -137,10 +137,6 @@ struct LightWalk {
 /// roulette as walks from the eye are. Counts its rays.
 LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles);
 
-/// Is the vertex shaded with the same normal when it is seen from the other side of the event? Nearly always; where it
-/// is not, the walk from the other end has no such Dirac.
-bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side);
-
 /// Is it a particle, or has its surface a lobe without a Dirac, on whichever side?
 bool can_be_joined(const LightVertex& vertex);
 

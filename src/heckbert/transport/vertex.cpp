@@ -92,6 +92,13 @@ Rgb arriving_light(const World& world, Walk& walk, const Vertex& vertex, bool tr
   return occluded ? Rgb{} : light.radiance;
 }
 
+glm::vec3 mapped_normal(const Scene& scene, const Material& material, const Hit& hit) {
+  const Frame unmapped = Frame::along(hit.normal_shading, hit.along_u);
+  const float handedness = glm::dot(unmapped.t, hit.along_v) < 0 ? -1.0f : 1.0f;
+  const glm::vec3 n = mapped_normal(scene, *material.normal_map, hit.uv);
+  return unmapped.to_world({n.x, handedness * n.y, n.z});
+}
+
 Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front)
     : hit(found), material(&scene.materials[found.material]) {
   const float side = hit.front ? 1.0f : -1.0f;
@@ -105,10 +112,7 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
   };
   bool shaded = false;
   if (hit.has_coordinates && material->normal_map) {
-    const Frame unmapped = Frame::along(hit.normal_shading, hit.along_u);
-    const float handedness = glm::dot(unmapped.t, hit.along_v) < 0 ? -1.0f : 1.0f;
-    const glm::vec3 n = mapped_normal(scene, *material->normal_map, hit.uv);
-    shade_with(unmapped.to_world({n.x, handedness * n.y, n.z}));
+    shade_with(mapped_normal(scene, *material, hit));
     shaded = is_valid();
   }
   if (!shaded) {

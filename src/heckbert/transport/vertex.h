@@ -146,6 +146,9 @@ struct Vertex {
   std::optional<std::array<Lobe, kMaxLobes>> lobes_here_;
 };
 
+/// The normal that the material's map gives the front there. Takes: a hit with coordinates, a material with a map.
+glm::vec3 mapped_normal(const Scene& scene, const Material& material, const Hit& hit);
+
 /// The vertex that the walk stands at.
 inline Vertex vertex_at(const World& world, const Walk& walk, const Hit& hit, glm::vec3 ray_direction) {
   return {world.scene, hit, ray_direction,
