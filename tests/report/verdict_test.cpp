@@ -227,6 +227,43 @@ TEST(Verdict, SupposesPathsAsBrightAsTheyAreAmongTheTrialsSamples) {
   }
 }
 
+/// An adaptive render of 32 samples per pixel that repeats each, and finds the lamp alone.
+Evidence of_repeated_samples(std::uint64_t repeats) {
+  record::Record record;
+  record.info.window = {0, 0, kSide, kSide};
+  record.info.samples_per_pixel = record::kBatches;
+  record.words = {taxonomy::parse_word("LE")};
+  record.tally.samples = repeats * record::kBatches * record.info.window.pixel_count();
+  record.counts = {record.tally.samples};
+  record.offsets.push_back(0);
+  for (std::size_t pixel = 0; pixel < record.info.window.pixel_count(); ++pixel) {
+    record.entries.push_back({0, Rgb(1), static_cast<std::uint32_t>(repeats * record::kBatches)});
+    record.offsets.push_back(record.entries.size());
+  }
+  for (int batch = 0; batch < record::kBatches; ++batch)
+    record.batch_means.push_back(Rgb(1 + 0.001f * static_cast<float>(batch % 2)));
+  Evidence evidence;
+  evidence.take_batches_of(record);
+  return evidence;
+}
+
+// The forty paths of the witness are ten of 32 samples per pixel, and a hundred and sixty where each was repeated
+// sixteen times.
+TEST(Verdict, CountsTheSamplesThatAnAdaptiveRenderTook) {
+  const Lights room{{"LE", {1, 0.5}}, {"LSDE", {0.3, 10.0 / (32 * kSide * kSide)}}};
+  const Evidence witness = evidence_of(room, 2, 4);
+  for (const std::uint64_t repeats : {1u, 16u}) {
+    const Evidence own = of_repeated_samples(repeats);
+    EXPECT_EQ(own.samples_per_pixel(), static_cast<double>(repeats * 32));
+    const AlgorithmVerdict verdict =
+        verify({{"tested", "", "", &own, taxonomy::compile("L.*E")}},
+               {{"reference", &witness, taxonomy::compile("L.*E")}}, {taxonomy::Symbol::La})
+            .verdicts.at(0);
+    EXPECT_EQ(verdict.samples_per_pixel, static_cast<int>(repeats * 32));
+    EXPECT_EQ(find(verdict, "LSDE").standing, repeats > 1 ? Standing::Missing : Standing::Rare) << repeats;
+  }
+}
+
 TEST(Verdict, DoesNotCallMissingWhatOnlyAWalkIntoTheLensFinds) {
   Lights less = kRoom;
   less.erase("LSDE");

@@ -133,7 +133,7 @@ Diagnosis diagnose(const Suspect& suspect, const std::vector<Witness>& witnesses
   return diagnosis;
 }
 
-std::optional<double> samples_for_picture(const NoisyImage& image, int samples_per_pixel, double error) {
+std::optional<double> samples_for_picture(const NoisyImage& image, double samples_per_pixel, double error) {
   double squares = 0, light = 0;
   for (std::size_t p = 0; p < image.standard_error.size(); ++p) {
     squares += image.standard_error[p] * image.standard_error[p];

@@ -86,6 +86,6 @@ Diagnosis diagnose(const Suspect& suspect, const std::vector<Witness>& witnesses
 
 /// Samples per pixel until the root-mean-square error of pixels is `error` of the mean luminance; unset when the
 /// picture is black.
-std::optional<double> samples_for_picture(const NoisyImage& image, int samples_per_pixel, double error);
+std::optional<double> samples_for_picture(const NoisyImage& image, double samples_per_pixel, double error);
 
 }  // namespace heckbert::report

@@ -63,7 +63,9 @@ void Evidence::take_batches_of(const record::Record& record, std::span<const tax
   if (batches_ > 0) throw std::invalid_argument("a record with batches must be the first and only one");
   window_ = record.info.window;
   batches_ = record::batches_in_use(record.info);
-  samples_per_pixel_ = record.info.samples_per_pixel;
+  // An adaptive render repeats the samples that its header tells of. What was imported tells nothing else.
+  const double taken = static_cast<double>(record.tally.samples) / static_cast<double>(window_.pixel_count());
+  samples_per_pixel_ = taken > 0 ? taken : record.info.samples_per_pixel;
   weights_ = record.info;
   has_blocks_ = false;
   for (std::size_t w = 0; w < record.words.size(); ++w) {

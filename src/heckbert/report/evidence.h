@@ -60,8 +60,8 @@ class Evidence {
 
   int batches() const { return batches_; }
   const record::Window& window() const { return window_; }
-  /// Samples per pixel of all batches together.
-  int samples_per_pixel() const { return samples_per_pixel_; }
+  /// Samples per pixel of all batches together; the mean over the pixels where these have different numbers.
+  double samples_per_pixel() const { return samples_per_pixel_; }
   record::BatchStatistics statistics(double confidence) const { return {weights_, confidence}; }
   bool has_blocks() const { return has_blocks_; }
   const std::map<taxonomy::Word, WordEvidence>& words() const { return words_; }
@@ -78,7 +78,8 @@ class Evidence {
   void add_images(const record::Record& batch, std::span<const taxonomy::Language> languages);
 
   record::Window window_{};
-  int batches_ = 0, samples_per_pixel_ = 0;
+  int batches_ = 0;
+  double samples_per_pixel_ = 0;
   record::RenderInfo weights_{};  ///< says how much each batch counts, and no more
   bool has_blocks_ = true;
   std::map<taxonomy::Word, WordEvidence> words_;

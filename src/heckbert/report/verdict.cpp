@@ -199,11 +199,12 @@ class Judge {
       }
       if (differs || word.blocks_that_differ > 0) word.standing = stays_wrong ? Standing::Differs : Standing::Converges;
     }
-    AlgorithmVerdict verdict{.algorithm = c.trial->algorithm,
-                             .title = c.trial->title,
-                             .grammar = c.trial->grammar,
-                             .light = c.light,
-                             .samples_per_pixel = c.trial->evidence->samples_per_pixel()};
+    AlgorithmVerdict verdict{
+        .algorithm = c.trial->algorithm,
+        .title = c.trial->title,
+        .grammar = c.trial->grammar,
+        .light = c.light,
+        .samples_per_pixel = static_cast<int>(std::lround(c.trial->evidence->samples_per_pixel()))};
     if (c.trial->refinement) {
       verdict.refined_by = c.trial->refinement->option;
       verdict.sizes = sizes_of(*c.trial->refinement);

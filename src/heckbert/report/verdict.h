@@ -119,7 +119,7 @@ struct WordFinding {
 struct AlgorithmVerdict {
   std::string algorithm, title, grammar;
   taxonomy::Symbol light = taxonomy::Symbol::La;
-  int samples_per_pixel = 0;    ///< all batches together
+  int samples_per_pixel = 0;    ///< all batches together, rounded
   std::string refined_by{};     ///< the option that makes it finer; empty: none
   std::vector<double> sizes{};  ///< of that option, as in every Sequence
   Ruling ruling = Ruling::Captures;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -167,7 +168,7 @@ report::Json to_json(const VerifyOptions& options, const transport::RenderSettin
   json["references"] = report::Json::array();
   for (const TrialRun& run : trusted)
     json["references"].push_back(
-        {{"algorithm", run.algorithm->name}, {"samples_per_pixel", run.evidence.samples_per_pixel()}});
+        {{"algorithm", run.algorithm->name}, {"samples_per_pixel", std::lround(run.evidence.samples_per_pixel())}});
   json.update(report::to_json(verification));
   return json;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -157,7 +158,7 @@ ExitCode run(const WhyOptions& options) {
     if (!runs_all) continue;
     if (algorithm.id != suspect.id && !run_one(algorithm, render, {&words, 1}, runs)) return ExitCode::Interrupted;
     const TrialRun& made = algorithm.id == suspect.id ? runs.front() : runs.back();
-    const int samples = made.evidence.samples_per_pixel();
+    const double samples = made.evidence.samples_per_pixel();
     if (const auto needed = report::samples_for_picture(made.evidence.image(0), samples, rules.error))
       candidates.back().seconds = made.seconds / samples * *needed;
   }
@@ -183,7 +184,7 @@ ExitCode run(const WhyOptions& options) {
     json["width"] = render.width;
     json["height"] = render.height;
     json["window"] = {{"x0", window.x0}, {"y0", window.y0}, {"x1", window.x1}, {"y1", window.y1}};
-    json["samples_per_pixel"] = runs.front().evidence.samples_per_pixel();
+    json["samples_per_pixel"] = std::lround(runs.front().evidence.samples_per_pixel());
     json["seed"] = render.seed;
     json["max_depth"] = render.max_depth;
     json.update(report::to_json(diagnosis));
