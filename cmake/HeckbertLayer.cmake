@@ -13,14 +13,16 @@ if(HECKBERT_SANITIZE)
   add_link_options(-fsanitize=${HECKBERT_SANITIZE})
 endif()
 
-# heckbert_compile_fast(<target> REUSE_FROM <target> | PRIVATE <header> ...): for code that runs little, whose optimisation
+# heckbert_compile_fast(<target> [REUSE_FROM <target> | PRIVATE <header> ...]): for code that runs little, whose optimisation
 # costs more than it saves. Builds without HECKBERT_COMPILE_FAST see to it that every file includes what it uses.
 function(heckbert_compile_fast target)
   if(HECKBERT_COMPILE_FAST)
     # At -O1 GCC 12 sees strings copied out of bounds that are not (gcc.gnu.org/bugzilla/show_bug.cgi?id=105329).
     target_compile_options(${target} PRIVATE -O1
       "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
-    target_precompile_headers(${target} ${ARGN})
+    if(ARGN)
+      target_precompile_headers(${target} ${ARGN})
+    endif()
   endif()
 endfunction()
 

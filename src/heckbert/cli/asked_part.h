@@ -4,10 +4,12 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/cli/settings.h>
 #include <heckbert/report/part.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 

@@ -1,5 +1,7 @@
 #include <heckbert/cli/asked_record.h>
 
+#include <CLI/CLI.hpp>
+
 #include <heckbert/report/facts.h>
 
 namespace heckbert::cli {

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/cli/console.h>
 #include <heckbert/record/record.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 

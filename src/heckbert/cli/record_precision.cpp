@@ -1,5 +1,7 @@
 #include <heckbert/cli/record_precision.h>
 
+#include <CLI/CLI.hpp>
+
 #include <heckbert/cli/choice.h>
 
 namespace heckbert::cli {

@@ -3,9 +3,11 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/record/record.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 

@@ -13,8 +13,6 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/record/record.h>
 #include <heckbert/taxonomy/dialect.h>
 #include <heckbert/taxonomy/glossy_rule.h>
@@ -22,6 +20,10 @@
 #include <heckbert/transport/method.h>
 #include <heckbert/transport/sampler.h>
 #include <heckbert/transport/scene.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/cli/trial.h>
 #include <heckbert/transport/render.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 

@@ -2,9 +2,11 @@
 // The commands. Each has a file of its own with a plain struct of options, a function that declares them, and a
 // function that runs them; here is only how they are added to the tool.
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/cli/exit_code.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 

@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include <heckbert/cli/commands/commands.h>
 #include <heckbert/cli/commands/grammar/questions.h>
 #include <heckbert/cli/help.h>

@@ -2,9 +2,11 @@
 // The questions of `heckbert grammar`, one file each. Every question takes names, @names, .grammar files and
 // expressions, answers as text or with --json, and ends with exit code 1 and a witness word when the answer is no.
 
-#include <CLI/CLI.hpp>
-
 #include <heckbert/cli/exit_code.h>
+
+namespace CLI {
+class App;
+}
 
 namespace heckbert::cli {
 
