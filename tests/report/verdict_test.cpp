@@ -166,6 +166,26 @@ TEST(Verdict, DoesNotCallMissingWhatMayHaveEscapedByChance) {
   EXPECT_NE(find(verified(truth, trial).verdicts.at(0), "LSSDE").standing, Standing::Missing);
 }
 
+// An algorithm may find by few bright paths what the witness finds by many: what it has found once says how bright.
+// Each of these words has 1.3 paths, so 27 of a hundred are absent. Taken to be as bright as the average contribution,
+// which is one of LE, 23 of them were called missing.
+TEST(Verdict, SupposesWhatIsAbsentToBeAsBrightAsWhatWasFoundOnce) {
+  Lights truth{{"LE", {20, 1}}}, trial{{"LE", {20, 1}}};
+  for (const char* word : {"LDE", "LGE", "LSE", "LDDE", "LGDE", "LSDE", "LDGE", "LGGE", "LSGE", "LDSE"}) {
+    truth[word] = {0.05, 0.02};
+    trial[word] = {0.05, 1e-5};
+  }
+  std::size_t absent = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const AlgorithmVerdict verdict = verified(truth, trial, "L.*E", seed).verdicts.at(0);
+    for (const WordFinding& word : verdict.words) {
+      absent += word.found_count == 0 ? 1 : 0;
+      EXPECT_NE(word.standing, Standing::Missing) << word.word << ", seed " << seed;
+    }
+  }
+  EXPECT_GT(absent, 10u);
+}
+
 TEST(Verdict, ComparesRareWordsTogether) {
   Lights truth = kRoom, trial = kRoom;
   for (int length = 4; length < 24; ++length) {
@@ -373,6 +393,27 @@ TEST(Evidence, CutsThePictureIntoBlocks) {
   EXPECT_NEAR(evidence.statistics(0.95).energy(word.picture.values).mean, 2, 0.05);
   EXPECT_NEAR(evidence.statistics(0.95).energy(word.blocks.at(3).values).mean, 8, 0.2);
   EXPECT_GE(word.brightest.x, 32);
+}
+
+TEST(Evidence, SupposesWhatWasNotFoundToResembleWhatWasFoundOnce) {
+  Evidence evidence;
+  record::Record batch;
+  batch.info.window = {0, 0, 2, 1};
+  batch.info.samples_per_pixel = 1;
+  batch.words = {taxonomy::parse_word("LE"), taxonomy::parse_word("LDE"), taxonomy::parse_word("LSE")};
+  batch.entries = {{0, Rgb(1), 3}, {1, Rgb(4), 1}, {2, Rgb(8), 1}};
+  batch.offsets = {0, 3, 3};
+  evidence.add(batch);
+  EXPECT_DOUBLE_EQ(evidence.contribution_if_none(), (4 + 8) / 2.0 / 2);  // of LDE and LSE, over two pixels
+  batch.words.pop_back();
+  batch.entries.pop_back();
+  batch.offsets = {0, 2, 2};
+  evidence.add(batch);  // LSE alone was found once now
+  EXPECT_NEAR(evidence.contribution_if_none(), 8.0 / 2 / 2, 1e-6);
+  evidence.add(batch);
+  batch.words[0] = taxonomy::parse_word("LSE");
+  evidence.add(batch);
+  EXPECT_NEAR(evidence.contribution_if_none(), (3.0 * 1 + 4 * 4 + 8 + 1) / (3 * 3 + 4 + 1 + 3) / 2 / 4, 1e-6);
 }
 
 TEST(Evidence, RefusesBatchesOfOtherPictures) {

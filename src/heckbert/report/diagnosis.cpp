@@ -9,33 +9,12 @@
 namespace heckbert::report {
 namespace {
 
-/// Words that print alike, of one light, by one witness.
-struct Group {
-  taxonomy::Word word;  ///< one of them, for its strategies
-  std::size_t witness = 0;
-  Series expected, found;
-  BrightPixel brightest{};
-};
+using Groups = std::map<GroupKey, WordGroup>;
 
-using Groups = std::map<std::pair<taxonomy::Symbol, std::string>, Group>;
-
-Groups groups_of(const Suspect& suspect, const std::vector<Witness>& witnesses) {
-  Groups groups;
-  for (std::size_t w = 0; w < witnesses.size(); ++w)
-    for (const auto& [word, evidence] : witnesses[w].evidence->words()) {
-      const auto vouches = [&](const Witness& witness) { return witness.language.contains(word); };
-      if (!vouches(witnesses[w]) ||
-          std::any_of(witnesses.begin(), witnesses.begin() + static_cast<std::ptrdiff_t>(w), vouches))
-        continue;
-      Group& group = groups[{word.light, plain(word)}];
-      group.word = word;
-      group.witness = w;
-      group.expected += evidence.picture;
-      if (evidence.brightest.luminance > group.brightest.luminance) group.brightest = evidence.brightest;
-    }
-  for (const auto& [word, evidence] : suspect.evidence->words())
-    if (const auto group = groups.find({word.light, plain(word)}); group != groups.end())
-      group->second.found += evidence.picture;
+/// Of the words that somebody knows.
+Groups known_groups(const Suspect& suspect, const std::vector<Witness>& witnesses) {
+  Groups groups = groups_of(*suspect.evidence, {suspect.claimed, witnesses});
+  std::erase_if(groups, [](const auto& group) { return group.second.expected.count == 0; });
   return groups;
 }
 
@@ -64,7 +43,7 @@ void rank(std::vector<Candidate>& candidates, const Groups& groups, double total
   for (Candidate& candidate : candidates) {
     candidate.claimed = candidate.claimed & words_of_scene;
     double captured = 0;
-    for (const auto& [name, group] : groups)
+    for (const auto& [key, group] : groups)
       if (candidate.claimed.contains(group.word))
         for (const double value : group.expected.values) captured += value / record::kBatches;
     candidate.share = total > 0 ? captured / total : 0;
@@ -86,27 +65,27 @@ void rank(std::vector<Candidate>& candidates, const Groups& groups, double total
 Diagnosis diagnose(const Suspect& suspect, const std::vector<Witness>& witnesses, std::vector<Candidate> candidates,
                    const std::vector<MeasuredTechnique>& measured, const taxonomy::Language& words_of_scene,
                    const VerdictOptions& options) {
-  const Groups groups = groups_of(suspect, witnesses);
+  const Groups groups = known_groups(suspect, witnesses);
   Diagnosis diagnosis{.algorithm = suspect.algorithm,
                       .title = suspect.title,
                       .options = options,
                       .causes = {},
                       .candidates = {},
                       .has_measured = !measured.empty()};
-  const auto energy = [&](const Group& group) {
+  const auto energy = [&](const WordGroup& group) {
     return witnesses[group.witness].evidence->statistics(options.confidence).energy(group.expected.values);
   };
-  for (const auto& [name, group] : groups) diagnosis.total += energy(group).mean;
+  for (const auto& [key, group] : groups) diagnosis.total += energy(group).mean;
   rank(candidates, groups, diagnosis.total, words_of_scene);
 
-  for (const auto& [name, group] : groups) {
-    Cause cause{.word = name.second,
+  for (const auto& [key, group] : groups) {
+    Cause cause{.word = group.name,
                 .length = group.word.length(),
-                .light = name.first,
-                .is_claimed = suspect.claimed.contains(group.word),
+                .light = group.word.light,
+                .is_claimed = group.is_claimed,
                 .energy = energy(group),
                 .witness = witnesses[group.witness].algorithm,
-                .brightest = group.brightest,
+                .brightest = group.brightest_expected,
                 .found_count = group.found.count,
                 .strategies = {},
                 .finders = {}};

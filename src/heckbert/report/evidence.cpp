@@ -104,14 +104,20 @@ void Evidence::add_images(const record::Record& batch, std::span<const taxonomy:
   }
 }
 
-double Evidence::mean_contribution() const {
-  double sum = 0;
-  std::uint64_t count = 0;
+double Evidence::contribution_if_none() const {
+  double all = 0, once = 0;
+  std::uint64_t count = 0, found_once = 0;
   for (const auto& [word, evidence] : words_) {
-    for (const double value : evidence.picture.values) sum += value;
+    double energy = 0;
+    for (const double value : evidence.picture.values) energy += value / batches_;
+    all += energy;
     count += evidence.picture.count;
+    if (evidence.picture.count != 1) continue;
+    once += energy;
+    ++found_once;
   }
-  return count > 0 ? sum / batches_ / static_cast<double>(count) : 0;
+  const double of_all = count > 0 ? all / static_cast<double>(count) : 0;
+  return found_once > 0 ? std::max(once / static_cast<double>(found_once), of_all) : of_all;
 }
 
 NoisyImage Evidence::image(std::size_t language) const {

@@ -65,8 +65,9 @@ class Evidence {
   record::BatchStatistics statistics(double confidence) const { return {weights_, confidence}; }
   bool has_blocks() const { return has_blocks_; }
   const std::map<taxonomy::Word, WordEvidence>& words() const { return words_; }
-  /// Luminance that one contribution adds to the picture's mean on average.
-  double mean_contribution() const;
+  /// Luminance that a contribution of a word of which none was found would have added to the picture's mean, as
+  /// record::contribution_if_none() has it.
+  double contribution_if_none() const;
   /// By number of the language.
   NoisyImage image(std::size_t language) const;
 

@@ -14,29 +14,16 @@
 namespace heckbert::report {
 namespace {
 
-constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
-
 /// The share of the expected energy that decides how many samples an algorithm needs.
 constexpr double kNearlyAll = 0.9;
 
-/// Words that print alike and stand alike, with what both sides say of them.
-struct Group {
-  std::string word;
-  std::size_t length = 0;
-  std::size_t witness = kNobody;
-  bool is_claimed = false;
+/// With what the coarser stages of the trial found.
+struct Group : WordGroup {
+  std::size_t length = 0;  ///< of the longest
   bool is_by_lens = false;
-  Series expected, found;
-  std::map<std::size_t, Series> expected_blocks, found_blocks;
-  /// As found and found_blocks, by coarser stage of the trial.
   std::vector<Series> coarser{};
   std::vector<std::map<std::size_t, Series>> coarser_blocks{};
-  BrightPixel brightest{}, brightest_expected{};
 };
-
-void add(std::map<std::size_t, Series>& sum, const std::map<std::size_t, Series>& more) {
-  for (const auto& [block, series] : more) sum[block] += series;
-}
 
 /// Of the trial; none where it is not refined.
 const std::vector<CoarserStage>& coarser_stages(const Trial& trial) {
@@ -49,55 +36,25 @@ double enough(const Trial& trial) {
   return trial.shares_light ? kEnoughShared : kEnough;
 }
 
-void keep_brighter(BrightPixel& brightest, const BrightPixel& other) {
-  if (other.luminance > brightest.luminance) brightest = other;
-}
-
-/// Who vouches for a word.
-std::size_t witness_of(const taxonomy::Word& word, const std::vector<Witness>& witnesses) {
-  const auto found = std::find_if(witnesses.begin(), witnesses.end(),
-                                  [&](const Witness& witness) { return witness.language.contains(word); });
-  return found == witnesses.end() ? kNobody : static_cast<std::size_t>(found - witnesses.begin());
-}
-
+/// Of what the trial claims or found.
 std::vector<Group> groups_of(const Trial& trial, const std::vector<Witness>& witnesses, taxonomy::Symbol light,
                              Spelling spelling) {
   const std::vector<CoarserStage>& stages = coarser_stages(trial);
-  std::map<std::tuple<std::string, bool, std::size_t>, Group> groups;
-  const auto name_of = [&](const taxonomy::Word& word) {
-    return spelling == Spelling::Plain ? plain(word) : fine(word);
-  };
-  const auto group_of = [&](const taxonomy::Word& word, bool is_claimed, std::size_t witness) -> Group& {
-    const std::string name = name_of(word);
-    Group& group = groups[{name, is_claimed, witness}];
-    group.word = name;
+  const Grouping grouping{trial.claimed, witnesses, spelling};
+  std::map<GroupKey, Group> groups;
+  for (auto& [key, words] : report::groups_of(*trial.evidence, grouping)) {
+    if (words.word.light != light || (!words.is_claimed && words.found.count == 0)) continue;
+    Group& group = groups.emplace(key, Group{std::move(words)}).first->second;
+    group.length = group.word.length();
+    group.is_by_lens = trial.is_by_lens && trial.is_by_lens(group.word);
     group.coarser.resize(stages.size());
     group.coarser_blocks.resize(stages.size());
-    group.length = word.length();
-    group.witness = witness;
-    group.is_claimed = is_claimed;
-    group.is_by_lens = trial.is_by_lens && trial.is_by_lens(word);
-    return group;
-  };
-  for (const auto& [word, evidence] : trial.evidence->words()) {
-    if (word.light != light) continue;
-    Group& group = group_of(word, trial.claimed.contains(word), witness_of(word, witnesses));
-    group.found += evidence.picture;
-    add(group.found_blocks, evidence.blocks);
-    keep_brighter(group.brightest, evidence.brightest);
+    if (!group.is_claimed) group.expected = {};
   }
-  for (std::size_t w = 0; w < witnesses.size(); ++w)
-    for (const auto& [word, evidence] : witnesses[w].evidence->words()) {
-      if (word.light != light || witness_of(word, witnesses) != w || !trial.claimed.contains(word)) continue;
-      Group& group = group_of(word, true, w);
-      group.expected += evidence.picture;
-      add(group.expected_blocks, evidence.blocks);
-      keep_brighter(group.brightest_expected, evidence.brightest);
-    }
   for (std::size_t i = 0; i < stages.size(); ++i)
     for (const auto& [word, evidence] : stages[i].evidence->words()) {
       if (word.light != light) continue;
-      const auto group = groups.find({name_of(word), trial.claimed.contains(word), witness_of(word, witnesses)});
+      const auto group = groups.find(key_of(word, grouping));
       if (group == groups.end()) continue;
       group->second.coarser[i] += evidence.picture;
       add(group->second.coarser_blocks[i], evidence.blocks);
@@ -233,7 +190,7 @@ class Judge {
   /// What every comparison asks of the evidence; finding it out takes a look at all words.
   struct Known {
     record::BatchStatistics statistics;
-    double mean_contribution = 0;
+    double contribution_if_none = 0;
     /// What one event of the render brings to the mean of a word, on average over its energy: of so many that each is
     /// an event of its own, the size that gives the words their spread. Where all pixels share a virtual light, one
     /// such light is one event, and much more than one contribution.
@@ -242,7 +199,7 @@ class Judge {
   const Known& known(const Evidence& evidence) const {
     const auto place = known_.find(&evidence);
     if (place != known_.end()) return place->second;
-    Known known{evidence.statistics(options_.confidence), evidence.mean_contribution()};
+    Known known{evidence.statistics(options_.confidence), evidence.contribution_if_none()};
     double variance = 0, mean = 0;
     for (const auto& [word, of_word] : evidence.words()) {
       const record::Estimate energy = known.statistics.energy(of_word.picture.values);
@@ -260,10 +217,10 @@ class Judge {
 
   Comparison comparison_of(const Evidence& trial, const Evidence* witness, const Series& expected,
                            const Series& found) const {
-    const double size_found = found.count == 0 ? known(trial).mean_contribution : 0;
+    const double size_found = found.count == 0 ? known(trial).contribution_if_none : 0;
     const record::Estimate of_found = known(trial).statistics.energy(found.values, size_found);
     if (witness == nullptr) return {{}, of_found};
-    const double size_expected = expected.count == 0 ? known(*witness).mean_contribution : 0;
+    const double size_expected = expected.count == 0 ? known(*witness).contribution_if_none : 0;
     return compare(known(*witness).statistics.energy(expected.values, size_expected), witness->batches(), of_found,
                    trial.batches());
   }
@@ -291,7 +248,7 @@ class Judge {
   /// Agrees stands for "can be compared" until the number of comparisons is known.
   WordFinding look_at(const Trial& trial, const Group& group) const {
     const Evidence* witness = evidence_of_witness(group);
-    WordFinding finding{.word = group.word,
+    WordFinding finding{.word = group.name,
                         .length = group.length,
                         .comparison = comparison_of(*trial.evidence, witness, group.expected, group.found),
                         .expected_count = group.expected.count,
@@ -300,7 +257,7 @@ class Judge {
     const double enough_expected = effective_count(finding.comparison.expected);
     const double enough_found = effective_count(finding.comparison.found);
     if (group.found.count > 0) {
-      finding.brightest = group.brightest;
+      finding.brightest = group.brightest_found;
       const Evidence& own = *trial.evidence;
       const double samples = static_cast<double>(own.window().pixel_count()) * own.samples_per_pixel();
       finding.samples_needed = std::max(samples / (enough_found * options_.error * options_.error), 1.0);
@@ -352,7 +309,7 @@ class Judge {
     const record::BatchStatistics of_witness = witness.statistics(1 - level / 2);
     const double path = of_witness.energy(expected.values).mean / static_cast<double>(expected.count) *
                         witness.samples_per_pixel() / trial.samples_per_pixel();
-    const double size = std::max({path, known.mean_contribution, known.event_size});
+    const double size = std::max({path, known.contribution_if_none, known.event_size});
     return trial.statistics(1 - level / 2).energy({}, size).upper < of_witness.energy(expected.values).lower;
   }
 

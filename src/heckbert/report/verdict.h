@@ -21,6 +21,7 @@
 #include <heckbert/report/convergence.h>
 #include <heckbert/report/coverage.h>
 #include <heckbert/report/evidence.h>
+#include <heckbert/report/word_groups.h>
 #include <heckbert/taxonomy/language.h>
 #include <heckbert/taxonomy/symbol.h>
 
@@ -72,13 +73,6 @@ constexpr const StandingFacts& facts(Standing standing) {
 constexpr const RulingFacts& facts(Ruling ruling) {
   return kRulings[static_cast<std::size_t>(ruling)];
 }
-
-/// Renders that are believed, for the words of a language.
-struct Witness {
-  std::string algorithm;
-  const Evidence* evidence = nullptr;
-  taxonomy::Language language;
-};
 
 /// Renders that are put to the test.
 struct Trial {

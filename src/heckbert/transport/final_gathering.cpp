@@ -2,6 +2,7 @@
 
 #include <heckbert/transport/continuation.h>
 #include <heckbert/transport/photon_gathering.h>
+#include <heckbert/transport/running_into_lights.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -22,8 +23,7 @@ struct Leg {
   WordTrie::Node node = 0;
   Rgb throughput{1.0f};
   float radiance_scale = 1;
-  float pdf_solid_angle = 0;  ///< of the ray, spread over a glossy lobe; 0 for all others
-  glm::vec3 from{0};          ///< where that lobe is
+  Approach approach{};  ///< spread over a glossy lobe; of no density for all others
   int scatterings = 0;
   Bodies bodies{};  ///< that the ray starts in
 };
@@ -38,10 +38,10 @@ class FinalGathering {
       const std::optional<Hit> hit = meet(leg);
       if (is_black(leg.throughput)) return walk_.sink.end_path(PathEnd::Absorbed);
       if (!hit) {
-        add_sky(leg);
+        run_into_sky(world_, walk_, leg.node, leg.ray.direction, leg.throughput, leg.approach);
         return walk_.sink.end_path(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
       }
-      add_emitted(leg, *hit);
+      run_into_lamp(world_, walk_, leg.node, *hit, leg.throughput, leg.approach);
       if (leg.scatterings == world_.max_depth) return walk_.sink.end_path(PathEnd::DepthLimit);
       const Vertex vertex = vertex_at(world_, walk_, *hit, leg.ray.direction);
       if (vertex.has_non_delta) {
@@ -60,26 +60,6 @@ class FinalGathering {
     const Meeting meeting = travel(world_, walk_, leg.ray, leg.throughput, Particles::Dim);
     leg.bodies = walk_.bodies;
     return meeting.hit;
-  }
-
-  void add_sky(const Leg& leg) {
-    const Rgb sky = world_.lights.environment(leg.ray.direction);
-    if (is_black(sky)) return;
-    const float weight = leg.pdf_solid_angle > 0
-                             ? power_heuristic(leg.pdf_solid_angle, world_.lights.pdf_environment(leg.ray.direction))
-                             : 1.0f;
-    add_hit(walk_, leg.node, Symbol::Le, world_.labels.light({LightSource::Type::Environment, 0}),
-            leg.throughput * sky * weight);
-  }
-
-  void add_emitted(const Leg& leg, const Hit& hit) {
-    const Rgb emitted = world_.lights.emitted(hit);
-    if (is_black(emitted)) return;
-    const float weight = leg.pdf_solid_angle > 0
-                             ? power_heuristic(leg.pdf_solid_angle, world_.lights.pdf_solid_angle(hit, leg.from))
-                             : 1.0f;
-    add_hit(walk_, leg.node, Symbol::La, world_.labels.light({LightSource::Type::Emitter, hit.emitter}),
-            leg.throughput * emitted * weight);
   }
 
   /// Light of a map that a vertex scatters diffusely.
@@ -127,8 +107,7 @@ class FinalGathering {
     leg.node = walk_.step(leg.node, next.event, world_.labels.surface(vertex.hit));
     leg.throughput *= next.factor;
     leg.radiance_scale *= next.radiance_scale;
-    leg.pdf_solid_angle = next.pdf_solid_angle;
-    leg.from = vertex.hit.position;
+    leg.approach = {next.pdf_solid_angle, vertex.hit.position};
     ++leg.scatterings;
     if (next.transmitted && world_.has_bodies) leg.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     if (!survives(walk_.sampler, leg.throughput, leg.radiance_scale, leg.scatterings)) return PathEnd::Roulette;

@@ -1,7 +1,5 @@
 #include <heckbert/transport/local_shading.h>
 
-#include <cmath>
-
 #include <heckbert/transport/delta_lights.h>
 #include <heckbert/transport/travel.h>
 
@@ -13,34 +11,28 @@ using Type = LightSource::Type;
 
 namespace {
 
-/// Adds what one light sends to the eye by way of the vertex.
-void shade(const World& world, Walk& walk, const Vertex& vertex, Rgb weight, Symbol kind, const DeltaSample& light,
-           LightSource source) {
-  const glm::vec3 wi = vertex.local(light.direction);
-  if (wi.z == 0 || (wi.z < 0 && !vertex.transmits)) return;
-  const Vertex::Values values = vertex.values(wi);
-  const std::span<const Lobe> lobes = vertex.lobes();
-  for (std::size_t i = 0; i < lobes.size(); ++i) {
-    if (is_black(values.f[i])) continue;
-    const auto node = walk.step(walk.sink.words().eye(world.eye.kind()), letter(lobes[i], wi.z < 0),
-                                world.labels.surface(vertex.hit));
-    walk.find({walk.step(node, kind, world.labels.light(source)),
-               weight * values.f[i] * light.irradiance * std::abs(wi.z), record::Technique::NextEvent});
-  }
-}
-
 void shade_by_all(const World& world, Walk& walk, const Vertex& vertex, Rgb weight) {
   const Scene& scene = world.scene;
-  const auto add = [&](Symbol kind, const std::optional<DeltaSample>& light, Type type, std::uint32_t index) {
-    if (light) shade(world, walk, vertex, weight, kind, *light, {type, index});
+  const taxonomy::WordTrie::Node node = walk.sink.words().eye(world.eye.kind());
+  const auto add = [&](Symbol kind, const std::optional<DeltaSample>& light, LightSource source, glm::vec3 target) {
+    if (light)
+      gather_unshadowed_light(world, walk, vertex, node, weight,
+                              {.kind = kind,
+                               .direction = light->direction,
+                               .target = target,
+                               .infinite = kind == Symbol::Ld,
+                               .radiance = light->irradiance,
+                               .pdf_solid_angle = 1,
+                               .is_delta = true,
+                               .source = source});
   };
   const glm::vec3 place = vertex.hit.position;
-  for (std::uint32_t i = 0; i < scene.point_lights.size(); ++i)
-    add(Symbol::Lp, sample_delta(scene.point_lights[i], place), Type::Point, i);
-  for (std::uint32_t i = 0; i < scene.spot_lights.size(); ++i)
-    add(Symbol::Lp, sample_delta(scene.spot_lights[i], place), Type::Spot, i);
-  for (std::uint32_t i = 0; i < scene.distant_lights.size(); ++i)
-    add(Symbol::Ld, sample_delta(scene.distant_lights[i]), Type::Distant, i);
+  for (std::uint32_t i = 0; const PointLight& light : scene.point_lights)
+    add(Symbol::Lp, sample_delta(light, place), {Type::Point, i++}, light.position);
+  for (std::uint32_t i = 0; const SpotLight& light : scene.spot_lights)
+    add(Symbol::Lp, sample_delta(light, place), {Type::Spot, i++}, light.position);
+  for (std::uint32_t i = 0; const DistantLight& light : scene.distant_lights)
+    add(Symbol::Ld, sample_delta(light), {Type::Distant, i++}, {});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <heckbert/transport/continuation.h>
 #include <heckbert/transport/medium.h>
+#include <heckbert/transport/running_into_lights.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -55,8 +56,7 @@ void trace_path(const World& world, Walk& walk, Ray ray, PathTechniques techniqu
   taxonomy::WordTrie::Node node = walk.sink.words().eye(world.eye.kind());
   Rgb throughput(1.0f);
   float radiance_scale = 1;
-  float pdf_arrival = 0;  // 0: a light here could not have been found by next-event estimation
-  glm::vec3 previous{0};
+  Approach approach;
   std::optional<PastTheLimit> past_the_limit;
   const auto end = [&](PathEnd how) {
     if (!past_the_limit) walk.sink.end_path(how);
@@ -67,22 +67,11 @@ void trace_path(const World& world, Walk& walk, Ray ray, PathTechniques techniqu
     if (is_black(throughput)) return end(PathEnd::Absorbed);
     if (!hit && !scattered) {
       walk.arrive(depth, {ray.direction, throughput, true});
-      const Rgb sky = techniques.hits ? world.lights.environment(ray.direction) : Rgb{};
-      if (!is_black(sky)) {
-        const float weight =
-            pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_environment(ray.direction)) : 1.0f;
-        add_hit(walk, node, Symbol::Le, world.labels.light({LightSource::Type::Environment, 0}),
-                throughput * sky * weight);
-      }
+      if (techniques.hits) run_into_sky(world, walk, node, ray.direction, throughput, approach);
       return end(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     walk.arrive(depth, {hit ? hit->position : ray.origin, throughput});
-    if (const Rgb emitted = hit && techniques.hits ? world.lights.emitted(*hit) : Rgb{}; !is_black(emitted)) {
-      const float weight =
-          pdf_arrival > 0 ? power_heuristic(pdf_arrival, world.lights.pdf_solid_angle(*hit, previous)) : 1.0f;
-      add_hit(walk, node, Symbol::La, world.labels.light({LightSource::Type::Emitter, hit->emitter}),
-              throughput * emitted * weight);
-    }
+    if (hit && techniques.hits) run_into_lamp(world, walk, node, *hit, throughput, approach);
     if (depth == world.max_depth) {
       end(PathEnd::DepthLimit);
       if (walk.sampler.next() >= PastTheLimit::kShare) return;
@@ -99,8 +88,7 @@ void trace_path(const World& world, Walk& walk, Ray ray, PathTechniques techniqu
     const Labels::Id label =
         scattered ? world.labels.particle(*walk.bodies.medium(world.scene)) : world.labels.surface(*hit);
     node = walk.step(node, next.event, label);
-    pdf_arrival = techniques.next_event ? next.pdf_solid_angle : 0.0f;
-    previous = scattered ? ray.origin : hit->position;
+    approach = {techniques.next_event ? next.pdf_solid_angle : 0.0f, scattered ? ray.origin : hit->position};
     if (next.transmitted && world.has_bodies) walk.bodies.cross(world.scene, hit->material, hit->front);
     ray = next.ray;
   }

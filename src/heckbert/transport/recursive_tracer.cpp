@@ -1,6 +1,7 @@
 #include <heckbert/transport/recursive_tracer.h>
 
 #include <heckbert/transport/continuation.h>
+#include <heckbert/transport/running_into_lights.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -22,9 +23,8 @@ struct Branch {
   Ray ray;
   taxonomy::WordTrie::Node node = 0;
   Rgb weight{1.0f};
-  float radiance_scale = 1;   ///< compression of radiance in `weight`; see path_tracer.cpp
-  float pdf_solid_angle = 0;  ///< of the ray, spread over a glossy lobe at `ray.origin`; 0 for all others
-  glm::vec3 spread_from{0};   ///< where that lobe is
+  float radiance_scale = 1;  ///< compression of radiance in `weight`; see path_tracer.cpp
+  Approach approach{};       ///< spread over a glossy lobe; of no density for all others
   int depth = 0;
   bool phantom = false;
   Bodies bodies{};  ///< that the ray starts in
@@ -42,14 +42,11 @@ class Tree {
     if (!hit) {
       walk_.arrive(branch.depth, {branch.ray.direction, branch.weight, true});
       add(branch, Symbol::Le, {LightSource::Type::Environment, 0},
-          world_.lights.environment(branch.ray.direction) *
-              weight_of(branch, [&] { return world_.lights.pdf_environment(branch.ray.direction); }));
+          sky_met(world_, branch.ray.direction, branch.approach));
       return end(world_.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
     walk_.arrive(branch.depth, {hit->position, branch.weight});
-    if (const Rgb emitted = world_.lights.emitted(*hit); !is_black(emitted))
-      add(branch, Symbol::La, {LightSource::Type::Emitter, hit->emitter},
-          emitted * weight_of(branch, [&] { return world_.lights.pdf_solid_angle(*hit, branch.spread_from); }));
+    add(branch, Symbol::La, {LightSource::Type::Emitter, hit->emitter}, lamp_met(world_, *hit, branch.approach));
     const Vertex vertex = vertex_at(world_, walk_, *hit, branch.ray.direction);
     add_ambient(branch, vertex);
     if (branch.depth != world_.max_depth) return go_on(branch, vertex);
@@ -152,21 +149,13 @@ class Tree {
         .node = parent.phantom ? parent.node : walk_.step(parent.node, child.event, world_.labels.surface(vertex.hit)),
         .weight = parent.weight * child.factor,
         .radiance_scale = parent.radiance_scale * child.radiance_scale,
-        .pdf_solid_angle = child.pdf_solid_angle,
-        .spread_from = vertex.hit.position,
+        .approach = {child.pdf_solid_angle, vertex.hit.position},
         .depth = parent.depth + 1,
         .phantom = parent.phantom,
         .bodies = parent.bodies};
     if (child.transmitted && world_.has_bodies) next.bodies.cross(world_.scene, vertex.hit.material, vertex.hit.front);
     descend(next);
     return true;
-  }
-
-  /// What a light that the ray runs into counts, when next-event estimation could have found it with the density
-  /// `pdf()`.
-  template <class Pdf>
-  float weight_of(const Branch& branch, Pdf pdf) const {
-    return branch.pdf_solid_angle > 0 ? power_heuristic(branch.pdf_solid_angle, pdf()) : 1.0f;
   }
 
   bool spawn_phantom(const Branch& parent, const Vertex& vertex) {

@@ -3,6 +3,7 @@
 // first surface that is not specular. Lamps and their mirror images, LS*E, are found by running into them.
 
 #include <heckbert/transport/continuation.h>
+#include <heckbert/transport/running_into_lights.h>
 #include <heckbert/transport/travel.h>
 
 namespace heckbert::transport {
@@ -14,7 +15,6 @@ namespace heckbert::transport {
 template <class Shade>
 void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool follows_mirrors = true) {
   using record::PathEnd;
-  using taxonomy::Symbol;
   taxonomy::WordTrie::Node node = walk.sink.words().eye(world.eye.kind());
   Rgb throughput(1.0f);
   float radiance_scale = 1;
@@ -27,14 +27,10 @@ void walk_to_matt(const World& world, Walk& walk, Ray ray, Shade shade, bool fol
     if (is_black(throughput)) return end(PathEnd::Absorbed);
     walk.arrive(depth, {hit ? hit->position : ray.direction, throughput, !hit});
     if (!hit) {
-      const Rgb sky = world.lights.environment(ray.direction);
-      if (!is_black(sky))
-        add_hit(walk, node, Symbol::Le, world.labels.light({LightSource::Type::Environment, 0}), throughput * sky);
+      run_into_sky(world, walk, node, ray.direction, throughput);
       return end(world.lights.has_environment() ? PathEnd::Escaped : PathEnd::EscapedUnlit);
     }
-    if (const Rgb emitted = world.lights.emitted(*hit); !is_black(emitted))
-      add_hit(walk, node, Symbol::La, world.labels.light({LightSource::Type::Emitter, hit->emitter}),
-              throughput * emitted);
+    run_into_lamp(world, walk, node, *hit, throughput);
     if (depth == world.max_depth) {
       end(PathEnd::DepthLimit);
       if (walk.sampler.next() >= PastTheLimit::kShare) return;

@@ -29,25 +29,23 @@ float error_of(Fault fault, const LightSample& light, float cosine, float import
   return 1;
 }
 
-/// Next-event estimation without words: calls per_lobe(event, light, value) for each lobe that sends light back.
-template <class PerLobe>
-void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule,
-                           const PerLobe& per_lobe) {
-  const LightSample light = world.lights.sample(vertex.hit.position, walk.sampler);
-  if (!(light.pdf_solid_angle > 0)) return;
+/// Calls per_lobe(event, value) for each lobe that sends a light back. `arriving(transmitted)` asks what of the light
+/// comes to that side of the surface.
+template <class Arriving, class PerLobe>
+void scatter_light(const World& world, const Vertex& vertex, const DirectLight& rule, const LightSample& light,
+                   const Arriving& arriving, const PerLobe& per_lobe) {
   const glm::vec3 wi = vertex.local(light.direction);
   if (wi.z == 0) return;
   const bool transmitted = wi.z < 0;
   if (transmitted && !vertex.transmits) return;
-  const glm::vec3 origin = leave(vertex.hit, vertex.hit.front != transmitted);
-  const Rgb arriving = arriving_light(world, walk, vertex, transmitted, origin, light);
-  if (is_black(arriving)) return;
+  const Rgb radiance = arriving(transmitted);
+  if (is_black(radiance)) return;
   const Vertex::Values values = vertex.values(wi);
   const float cosine = std::abs(wi.z);
   const float importance_weight = rule.multiple_importance && !light.is_delta
                                       ? power_heuristic(light.pdf_solid_angle, values.pdf_solid_angle)
                                       : 1.0f;
-  const Rgb incident = arriving * (cosine / light.pdf_solid_angle * importance_weight);
+  const Rgb incident = radiance * (cosine / light.pdf_solid_angle * importance_weight);
   const std::span<const Lobe> lobes = vertex.lobes();
   for (std::size_t i = 0; i < lobes.size(); ++i) {
     if (is_black(values.f[i])) continue;
@@ -62,8 +60,29 @@ void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex,
     Rgb value = values.f[i] * incident * own_weight;
     if (world.fault != Fault::None) [[unlikely]]
       value *= error_of(world.fault, light, cosine, importance_weight * own_weight, !is_diffuse);
-    per_lobe(event, light, value);
+    per_lobe(event, value);
   }
+}
+
+/// Next-event estimation without words: calls per_lobe(event, light, value).
+template <class PerLobe>
+void estimate_direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule,
+                           const PerLobe& per_lobe) {
+  const LightSample light = world.lights.sample(vertex.hit.position, walk.sampler);
+  if (!(light.pdf_solid_angle > 0)) return;
+  const auto arriving = [&](bool transmitted) {
+    return arriving_light(world, walk, vertex, transmitted, leave(vertex.hit, vertex.hit.front != transmitted), light);
+  };
+  scatter_light(world, vertex, rule, light, arriving,
+                [&](taxonomy::Symbol event, Rgb value) { per_lobe(event, light, value); });
+}
+
+/// Finds the path from the light by way of the vertex.
+void find_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
+                taxonomy::Symbol event, const LightSample& light, Rgb value) {
+  const taxonomy::WordTrie::Node scattered = walk.step(node, event, world.labels.surface(vertex.hit));
+  walk.find({walk.step(scattered, light.kind, world.labels.light(light.source)), value, record::Technique::NextEvent},
+            light);
 }
 
 }  // namespace
@@ -165,14 +184,17 @@ Vertex::Values Vertex::values(glm::vec3 wi) const {
 
 void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
                          Rgb throughput, const DirectLight& rule) {
-  const Labels& labels = world.labels;
-  const auto add = [&](taxonomy::Symbol event, const LightSample& light, Rgb value) {
-    const taxonomy::WordTrie::Node scattered = walk.step(node, event, labels.surface(vertex.hit));
-    walk.find({walk.step(scattered, light.kind, labels.light(light.source)), throughput * value,
-               record::Technique::NextEvent},
-              light);
-  };
-  estimate_direct_light(world, walk, vertex, rule, add);
+  estimate_direct_light(world, walk, vertex, rule, [&](taxonomy::Symbol event, const LightSample& light, Rgb value) {
+    find_light(world, walk, vertex, node, event, light, throughput * value);
+  });
+}
+
+void gather_unshadowed_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
+                             Rgb throughput, const LightSample& light) {
+  const auto unshadowed = [&](bool) { return light.radiance; };
+  scatter_light(world, vertex, {}, light, unshadowed, [&](taxonomy::Symbol event, Rgb value) {
+    find_light(world, walk, vertex, node, event, light, throughput * value);
+  });
 }
 
 Rgb ambient_reflectance(const Vertex& vertex) {

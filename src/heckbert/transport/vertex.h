@@ -174,7 +174,11 @@ struct DirectLight {
 void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
                          Rgb throughput, const DirectLight& rule);
 
-/// The same sum as a colour, for light that belongs to no path.
+/// The same with a light that was chosen already, and that nothing shadows.
+void gather_unshadowed_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,
+                             Rgb throughput, const LightSample& light);
+
+/// Next-event estimation as a colour, for light that belongs to no path.
 Rgb direct_light(const World& world, Walk& walk, const Vertex& vertex, const DirectLight& rule);
 
 /// k_a, which the ambient term multiplies.
