@@ -9,6 +9,9 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+#ifdef __SANITIZE_THREAD__
+#include <oneapi/tbb/global_control.h>
+#endif
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -390,6 +393,10 @@ void Tracer::Impl::place(const Scene& source, const Shape& shape, std::uint32_t 
 }
 
 void Tracer::Impl::commit(RTCScene target) const {
+#ifdef __SANITIZE_THREAD__
+  // Embree is not instrumented: what its tasks hand to one another would be reported as races.
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+#endif
   rtcCommitScene(target);
   if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
     throw LimitError(error == RTC_ERROR_OUT_OF_MEMORY
