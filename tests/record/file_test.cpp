@@ -230,6 +230,7 @@ TEST(RecordFile, TellsItsWordsToAnyReader) {
   const Record record = record_of(MadeUpLight(24), info_for({0, 0, 8, 8}, 2));
   write_record(record, folder / "r.exr");
   const Imf::DeepScanLineInputFile file((folder / "r.exr").c_str());
+  EXPECT_THAT(Imf::comments(file.header()), testing::HasSubstr("id is the number of the word in heckbert.words"));
   const Imf::IDManifest manifest(Imf::idManifest(file.header()));
   const auto& group = manifest[manifest.find("id")];
   const auto& repeated = file.header().typedAttribute<Imf::StringVectorAttribute>("heckbert.words").value();

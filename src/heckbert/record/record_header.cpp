@@ -171,6 +171,12 @@ Imf::Header part_header(const RenderInfo& info, const char* name, const std::str
 }
 
 void insert_totals(Imf::Header& header, const Record& record) {
+  Imf::addComments(
+      header,
+      "A record of light paths, made by heckbert. Each deep sample is the light that one word, a kind of path "
+      "from the light L to the eye E, brings to one pixel: id is the number of the word in heckbert.words, "
+      "from 0; R, G and B are the mean over the pixel's samples; count is the number of paths. Flattened, it "
+      "is the picture. To ask it: heckbert query, coverage, classify.");
   header.insert(kLayout, Imf::IntAttribute(kLayoutVersion));
   Imf::StringVector words;
   words.reserve(record.words.size());

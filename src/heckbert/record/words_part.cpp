@@ -2,6 +2,7 @@
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,9 @@ void append_word(DeepBand& band, const Record& record, std::size_t word) {
 
 Imf::Header words_header(const Record& record) {
   Imf::Header header = part_header(record.info, kWordsPart, Imf::DEEPSCANLINE, window_for(record.words.size()));
+  Imf::addComments(header,
+                   "No picture: pixel number w, row by row, is word w of heckbert.words. It has a deep sample for each "
+                   "batch of camera samples that saw the word: the mean of the picture as this batch alone has it.");
   for (const DeepChannel& channel : kChannels) header.channels().insert(channel.name, Imf::Channel(channel.type));
   return header;
 }

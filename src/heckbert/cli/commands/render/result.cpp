@@ -46,8 +46,9 @@ void write_outputs(const Outputs& outputs, const Result& result, bool with_crypt
     add_non_path_layers(result.record, layers);
     const record::Attachment attachment =
         with_cryptomatte ? cryptomatte_of(result.record, rows_of(result.sums), result.classes) : record::Attachment{};
-    write_to(outputs.picture,
-             [&](const auto& path) { record::write_layers(layers, result.record.info, path, attachment); });
+    record::RenderInfo info = result.record.info;
+    info.precision = record::Precision::Float;  // of sums, whatever the record rounds to
+    write_to(outputs.picture, [&](const auto& path) { record::write_layers(layers, info, path, attachment); });
     for (const std::string& sentence : renamed(layers)) console.note(sentence);
   }
   if (!outputs.record.empty())
