@@ -18,7 +18,7 @@ constexpr double kPiD = 3.14159265358979323846;
 
 /// Words of at most this many scatterings are compared.
 constexpr int kLongest = 3;
-constexpr int kMostComparisons = 1800;
+constexpr int kMostComparisons = 1200;
 
 /// Fog in which light goes on rather straight, everywhere.
 void fill_with_fog(Scene& scene) {
@@ -59,8 +59,8 @@ TEST(WalksFromTheLight, AgreeWithWalksFromTheEyeInMedia) {
   };
   const Filling fillings[] = {
       // It lets nothing in from infinitely far away.
-      {"fog", fill_with_fog, {"area", "point", "spot"}, {"pinhole", "lens", "orthographic", "panoramic"}},
-      {"smoke", put_smoke_and_tea, {"ball", "area", "point", "distant", "sky"}, {"pinhole", "lens"}}};
+      {"fog", fill_with_fog, {"area", "point"}, {"pinhole", "lens", "orthographic", "panoramic"}},
+      {"smoke", put_smoke_and_tea, {"area", "point", "distant", "sky"}, {"pinhole", "lens"}}};
   int compared = 0;
   for (const Filling& filling : fillings)
     for (const LightKind& light : kLights) {
@@ -94,7 +94,7 @@ TEST(WalksFromTheLight, AgreeWithWalksFromTheEyeInMedia) {
                           .count();
       }
     }
-  EXPECT_GT(compared, 1000);
+  EXPECT_GT(compared, 800);
   EXPECT_LE(compared, kMostComparisons);
 }
 
