@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <thread>
 
 #include <heckbert/taxonomy/word_literal.h>
@@ -120,6 +122,50 @@ TEST(Record, HoldsWhatASlowTwinHolds) {
         ++entry;
       }
     }
+  }
+}
+
+TEST(Splats, AreWhatTheirPixelsWouldHaveAdded) {
+  const RenderInfo info = info_for({5, 3, 44, 30}, 40);
+  const Window& window = info.window;
+  TileRecorder adding(info), splatting(info);
+  std::mt19937 random(5);
+  for (const std::uint64_t seed : {6u, 7u}) {  // the second tile has nothing of the first
+    SCOPED_TRACE(seed);
+    const MadeUpLight light(seed);
+    struct Splat {
+      int x, y, sample;
+      Found found;
+    };
+    std::vector<Splat> splats;
+    adding.begin_tile(window);
+    for (int y = window.y0; y < window.y1; ++y)
+      for (int x = window.x0; x < window.x1; ++x)
+        for (int sample = 0; sample < info.samples_per_pixel; ++sample) {
+          adding.begin_sample(x, y, sample);
+          for (const Found& found : light.sample(x, y, sample)) {
+            if (is_black(found.value)) continue;
+            add(adding, found.word, found.value, found.technique);
+            splats.push_back({x, y, sample, found});
+          }
+        }
+    const Tile added = adding.end_tile();
+    ASSERT_GT(added.entries.size(), 10000u);
+
+    std::shuffle(splats.begin(), splats.end(), random);
+    splatting.begin_tile(window);
+    for (const Splat& splat : splats) {
+      splatting.begin_sample(window.x0, window.y0, splat.sample);  // wherever its own walk began
+      splatting.splat(splat.x, splat.y,
+                      {node_of(splatting.words(), splat.found.word), splat.found.value, splat.found.technique});
+    }
+    splatting.end_tile();
+    splatting.sort_splats();
+    const Tile splatted = splatting.end_splats();
+    EXPECT_EQ(splatted.words, added.words);
+    EXPECT_EQ(splatted.offsets, added.offsets);
+    EXPECT_TRUE(splatted.entries == added.entries);
+    EXPECT_TRUE(splatted.batch_sums == added.batch_sums);
   }
 }
 

@@ -169,20 +169,20 @@ class EyeWalk {
   /// s > 1, with the vertex of this number on the walk from the light.
   void join_vertex(const EyeVertex& at, std::size_t number) {
     const LightVertex& other = light_.vertices[number];
-    const std::optional<Joint> joint = join(world_.scene, at, other);
-    if (!joint) return;
-    const Passage passage = passage_along(world_, walk_, at, other, *joint);
+    const Joint joint = join(world_.scene, at, other);
+    if (joint.is_black()) return;
+    const Passage passage = passage_along(world_, walk_, at, other, joint);
     if (is_black(passage.transmittance)) return;
-    const float facing_here = at.place().facing(joint->direction, passage.rate_begin);
-    const float facing_there = other.place().facing(joint->direction, passage.rate_end);
-    const float reaching = passage.chance / joint->squared_distance;
-    const auto pdf_there = static_cast<double>(joint->here.pdf_to_light * facing_there * reaching);
-    const auto pdf_here = static_cast<double>(pdf_to_eye(other, -joint->direction) * facing_here * reaching);
-    const double others = other.rivals.sum(pdf_there, static_cast<double>(joint->there.pdf_to_light)) +
-                          at.rivals.sum(pdf_here, at.pdf_to_eye(world_.scene, joint->direction));
-    add_joint(world_, walk_, at, light_, number, *joint,
+    const float facing_here = at.place().facing(joint.direction, passage.rate_begin);
+    const float facing_there = other.place().facing(joint.direction, passage.rate_end);
+    const float reaching = passage.chance / joint.squared_distance;
+    const auto pdf_there = static_cast<double>(joint.here.pdf_to_light * facing_there * reaching);
+    const auto pdf_here = static_cast<double>(pdf_to_eye(other, -joint.direction) * facing_here * reaching);
+    const double others = other.rivals.sum(pdf_there, static_cast<double>(joint.there.pdf_to_light)) +
+                          at.rivals.sum(pdf_here, at.pdf_to_eye(world_.scene, joint.direction));
+    add_joint(world_, walk_, at, light_, number, joint,
               at.throughput * other.throughput * passage.transmittance *
-                  (static_cast<float>(weight_against(others)) / joint->squared_distance));
+                  (static_cast<float>(weight_against(others)) / joint.squared_distance));
   }
 
   const World& world_;

@@ -112,7 +112,7 @@ inline Continuation follow_non_delta(const Vertex& vertex, Drawn sampled, Sample
   const Vertex::Values values = vertex.values(wi);
   if (!(values.pdf_solid_angle > 0)) return {};
   const std::span<const Lobe> lobes = vertex.lobes();
-  const ChosenLobe lobe = choose_lobe(std::span(values.f).first(lobes.size()), sampler);
+  const ChosenLobe lobe = choose_lobe(values.of_lobes(), sampler);
   if (!(lobe.share > 0)) return {};
   const bool transmitted = wi.z < 0;
   return {.ray = vertex.leave(wi, transmitted),

@@ -5,7 +5,7 @@
 namespace heckbert::transport {
 
 double EyeVertex::pdf_to_eye(const Scene& scene, glm::vec3 to_light) const {
-  return static_cast<double>(surface != nullptr ? pdf_from_light(scene, surface->hit, index_in_front, to_light, to_eye)
+  return static_cast<double>(surface != nullptr ? pdf_from_light(scene, *surface, index_in_front, to_light, to_eye)
                                                 : phase(particle->anisotropy, glm::dot(-to_light, to_eye)));
 }
 

@@ -32,12 +32,12 @@ void trace_to_virtual_lights(const World& world, Walk& walk, Ray ray, float leas
     const EyeVertex at{.surface = &vertex, .position = vertex.hit.position, .throughput = throughput, .node = node};
     for (const LightWalk& light : *world.virtual_lights)
       for (std::size_t i = 0; i < light.vertices.size() && depth + static_cast<int>(i) + 2 <= world.max_depth; ++i) {
-        const std::optional<Joint> joint = join(world.scene, at, light.vertices[i]);
-        if (!joint) continue;
-        const Rgb passed = passage_along(world, walk, at, light.vertices[i], *joint).transmittance;
+        const Joint joint = join(world.scene, at, light.vertices[i]);
+        if (joint.is_black()) continue;
+        const Rgb passed = passage_along(world, walk, at, light.vertices[i], joint).transmittance;
         if (is_black(passed)) continue;
-        const float spread = std::max(joint->squared_distance, least_square) * static_cast<float>(kWalks);
-        add_joint(world, walk, at, light, i, *joint, throughput * light.vertices[i].throughput * passed / spread);
+        const float spread = std::max(joint.squared_distance, least_square) * static_cast<float>(kWalks);
+        add_joint(world, walk, at, light, i, joint, throughput * light.vertices[i].throughput * passed / spread);
       }
   });
 }

@@ -6,18 +6,14 @@
 
 namespace heckbert::transport {
 
-std::optional<Joint> join(const Scene& scene, const EyeVertex& here, const LightVertex& there) {
-  if (!can_be_joined(there)) return std::nullopt;
-  Joint joint;
+Joint join(const Scene& scene, const EyeVertex& here, const LightVertex& there) {
+  if (!can_be_joined(there)) return {};
   const glm::vec3 edge = there.hit.position - here.position;
-  joint.squared_distance = glm::dot(edge, edge);
-  if (!(joint.squared_distance > 0)) return std::nullopt;
-  joint.direction = edge / std::sqrt(joint.squared_distance);
-  joint.here = scatter(here, joint.direction);
-  if (joint.here.is_black()) return std::nullopt;
-  joint.there = scatter(scene, there, -joint.direction);
-  if (joint.there.is_black()) return std::nullopt;
-  return joint;
+  const float squared_distance = glm::dot(edge, edge);
+  if (!(squared_distance > 0)) return {};
+  const glm::vec3 direction = edge / std::sqrt(squared_distance);
+  // Made where it will be: what is read by the line soon after it was written by the float waits (docs/performance.md).
+  return {direction, squared_distance, scatter(here, direction), scatter(scene, there, -direction)};
 }
 
 Passage passage_along(const World& world, Walk& walk, const EyeVertex& here, const LightVertex& there,

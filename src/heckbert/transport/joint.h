@@ -9,11 +9,13 @@ namespace heckbert::transport {
 struct Joint {
   glm::vec3 direction{0};  ///< unit, from the eye's vertex to the light's
   float squared_distance = 0;
-  Scattering here, there;  ///< of the eye's vertex, and of the light's
+  Scattering here{}, there{};  ///< of the eye's vertex, and of the light's
+
+  bool is_black() const { return here.is_black() || there.is_black(); }
 };
 
-/// Nothing when no light goes that way.
-std::optional<Joint> join(const Scene& scene, const EyeVertex& here, const LightVertex& there);
+/// Black when no light goes that way.
+Joint join(const Scene& scene, const EyeVertex& here, const LightVertex& there);
 
 /// What is in between, from the eye's vertex, where the walk stands, to the light's. Counts its rays.
 Passage passage_along(const World& world, Walk& walk, const EyeVertex& here, const LightVertex& there,

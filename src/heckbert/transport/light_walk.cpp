@@ -18,6 +18,30 @@ Hit seen_from(const Hit& hit, glm::vec3 direction) {
   return seen;
 }
 
+bool is_same_side(const Hit& hit, glm::vec3 a, glm::vec3 b) {
+  return (glm::dot(a, hit.normal_geometric) > 0) == (glm::dot(b, hit.normal_geometric) > 0);
+}
+
+bool transmits(const Material& material) {
+  return std::ranges::any_of(material.lobes, [](const Lobe& lobe) { return transport::transmits(lobe); });
+}
+
+/// scatter() at a surface, which is `vertex` as the eye's side sees it, along wo. Takes: a black result.
+void scatter_at_surface(Scattering& result, const Vertex& vertex, glm::vec3 wo, const LightVertex& at,
+                        glm::vec3 to_eye) {
+  const glm::vec3 wi = vertex.local(at.to_light);
+  const float cos_light = cosine(at.hit, at.to_light);
+  if (wi.z == 0 || !(cos_light > 0)) return;
+  const Vertex::Values values = vertex.values(wo, wi);
+  const std::span<const Lobe> lobes = vertex.lobes();
+  result.lobes = lobes.size();
+  for (std::size_t i = 0; i < lobes.size(); ++i) {
+    result.f[i] = values.f[i] * (std::abs(wi.z) * cosine(at.hit, to_eye) / cos_light);
+    result.letters[i] = letter(lobes[i], wi.z < 0);
+  }
+  result.pdf_to_light = values.pdf_solid_angle;
+}
+
 /// How a walk from the light goes on.
 struct Onward {
   Ray ray{};
@@ -118,11 +142,11 @@ Onward scatter_at_surface(const World& world, const LightVertex& at, Sampler& sa
 
   const glm::vec3 out = draw_direction(vertex, *drawn, sampler);
   if (out.z == 0) return {};
-  const float pdf = vertex.values(out).pdf_solid_angle;
+  const float pdf = vertex.pdf_solid_angle(out);
   if (!(pdf > 0)) return {};
   const Ray ray = vertex.leave(out, out.z < 0);
   const Scattering scattering = scatter(world.scene, at, ray.direction);
-  const ChosenLobe lobe = choose_lobe(std::span(scattering.f).first(scattering.lobes), sampler);
+  const ChosenLobe lobe = choose_lobe(scattering.of_lobes(), sampler);
   if (!(lobe.share > 0)) return {};
   return {.ray = ray,
           .event = {scattering.letters[lobe.index], label},
@@ -183,33 +207,33 @@ Scattering scatter(const Scene& scene, const LightVertex& at, glm::vec3 to_eye) 
     result.letters[0] = taxonomy::Symbol::V;
     return result;
   }
-  const Hit seen = seen_from(at.hit, to_eye);
-  const Vertex from_eye(scene, seen, -to_eye, at.index_in_front);
-  const glm::vec3 wi = from_eye.local(at.to_light);
-  const float cos_light = cosine(at.hit, at.to_light);
-  if (wi.z == 0 || !(cos_light > 0)) return result;
-  const Vertex::Values values = from_eye.values(wi);
-  const std::span<const Lobe> lobes = from_eye.lobes();
-  result.lobes = lobes.size();
-  for (std::size_t i = 0; i < lobes.size(); ++i) {
-    result.f[i] = values.f[i] * (std::abs(wi.z) * cosine(at.hit, to_eye) / cos_light);
-    result.letters[i] = letter(lobes[i], wi.z < 0);
+  // Most surfaces reflect and are seen with one normal: then the vertex that the light came to will do.
+  if (const glm::vec3 from = at.surface->as_seen_from(to_eye); from.z > 0) {
+    scatter_at_surface(result, *at.surface, from, at, to_eye);
+  } else if (is_same_side(at.hit, to_eye, at.to_light) || transmits(*at.surface->material)) {
+    const Hit seen = seen_from(at.hit, to_eye);
+    const Vertex from_eye(scene, seen, -to_eye, at.index_in_front);
+    scatter_at_surface(result, from_eye, from_eye.wo, at, to_eye);
   }
-  result.pdf_to_light = values.pdf_solid_angle;
   return result;
 }
 
 float pdf_to_eye(const LightVertex& at, glm::vec3 to_eye) {
   if (!at.surface) return phase(at.particle->anisotropy, glm::dot(-at.to_light, to_eye));
   const glm::vec3 out = at.surface->local(to_eye);
-  return out.z == 0 ? 0.0f : at.surface->values(out).pdf_solid_angle;
+  return out.z == 0 ? 0.0f : at.surface->pdf_solid_angle(out);
 }
 
-float pdf_from_light(const Scene& scene, const Hit& hit, float index_in_front, glm::vec3 to_light, glm::vec3 to_eye) {
-  const Hit seen = seen_from(hit, to_light);
-  const Vertex vertex(scene, seen, -to_light, index_in_front);
-  const glm::vec3 out = vertex.local(to_eye);
-  return out.z == 0 ? 0.0f : vertex.values(out).pdf_solid_angle;
+float pdf_from_light(const Scene& scene, const Vertex& vertex, float index_in_front, glm::vec3 to_light,
+                     glm::vec3 to_eye) {
+  if (const glm::vec3 from = vertex.as_seen_from(to_light); from.z > 0) {
+    const glm::vec3 out = vertex.local(to_eye);
+    return out.z == 0 ? 0.0f : vertex.pdf_solid_angle(from, out);
+  }
+  const Hit seen = seen_from(vertex.hit, to_light);
+  const Vertex from_light(scene, seen, -to_light, index_in_front);
+  const glm::vec3 out = from_light.local(to_eye);
+  return out.z == 0 ? 0.0f : from_light.pdf_solid_angle(out);
 }
 
 LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles) {

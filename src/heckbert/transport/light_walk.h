@@ -144,13 +144,18 @@ bool can_be_joined(const LightVertex& vertex);
 struct Scattering {
   /// Of each lobe, in the measure of the geometric normal; times the cosine, at a surface, with the direction in which
   /// the walk does not come.
-  std::array<Rgb, kMaxLobes> f{};
-  std::array<taxonomy::Symbol, kMaxLobes> letters{};  ///< of each lobe
+  union {  // as Vertex::Values::f
+    Rgb f[kMaxLobes];
+  };
+  std::array<taxonomy::Symbol, kMaxLobes> letters;  ///< of each lobe
   std::size_t lobes = 0;
-  bool is_black() const {
-    return std::ranges::all_of(f, [](Rgb value) { return heckbert::is_black(value); });
-  }
   float pdf_to_light = 0;  ///< with which a walk from the eye would go on to the vertex before; per steradian
+
+  Scattering() {}
+  std::span<const Rgb> of_lobes() const { return std::span(f).first(lobes); }
+  bool is_black() const {
+    return std::ranges::all_of(of_lobes(), [](Rgb value) { return heckbert::is_black(value); });
+  }
 };
 /// `to_eye` is unit.
 Scattering scatter(const Scene& scene, const LightVertex& vertex, glm::vec3 to_eye);
@@ -158,8 +163,10 @@ Scattering scatter(const Scene& scene, const LightVertex& vertex, glm::vec3 to_e
 /// The density with which the walk from the light would go on that way, per steradian.
 float pdf_to_eye(const LightVertex& vertex, glm::vec3 to_eye);
 
-/// The density with which a walk that comes from the light's side leaves a surface for the eye's side, per steradian.
-float pdf_from_light(const Scene& scene, const Hit& hit, float index_in_front, glm::vec3 to_light, glm::vec3 to_eye);
+/// The density with which a walk that comes from the light's side, and not from where the vertex was seen, leaves its
+/// surface for the eye's side; per steradian.
+float pdf_from_light(const Scene& scene, const Vertex& vertex, float index_in_front, glm::vec3 to_light,
+                     glm::vec3 to_eye);
 
 /// The word of a path whose part nearest the eye is spelt at `node`: adds the first `count` events of the walk from the
 /// light, the last first, and the light.

@@ -76,6 +76,16 @@ LobeValue value_and_pdf(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front
       lobe);
 }
 
+float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front) {
+  return visit_lobe(
+      [&](const auto& l) {
+        if constexpr (!KindOf<decltype(l)>::dirac)
+          if (KindOf<decltype(l)>::connects(wo, wi)) return pdf_of_lobe(l, wo, wi, front);
+        return 0.0f;
+      },
+      lobe);
+}
+
 glm::vec3 sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec3 u, bool front) {
   return visit_lobe(
       [&](const auto& l) {

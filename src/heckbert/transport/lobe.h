@@ -43,9 +43,7 @@ LobeValue value_and_pdf(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front
 inline Rgb evaluate(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true) {
   return value_and_pdf(lobe, wo, wi, front).f;
 }
-inline float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true) {
-  return value_and_pdf(lobe, wo, wi, front).pdf_solid_angle;
-}
+float pdf_solid_angle(const Lobe& lobe, glm::vec3 wo, glm::vec3 wi, bool front = true);
 
 /// A direction drawn by pdf_solid_angle; its z is 0 when the draw falls on the wrong side or the lobe is a delta.
 glm::vec3 sample_direction(const Lobe& lobe, glm::vec3 wo, glm::vec3 u, bool front = true);

@@ -85,6 +85,14 @@ void find_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::
             light);
 }
 
+/// On the silhouette of a sphere the cosine may round to the wrong sign; the side is known, so it is only small.
+void keep_above(glm::vec3& wo) {
+  constexpr float kSmallestCosine = 1e-6f;
+  if (wo.z >= kSmallestCosine) return;
+  wo.z = kSmallestCosine;
+  wo = glm::normalize(wo);
+}
+
 }  // namespace
 
 TrailVertex trail_vertex(const record::Contribution& contribution, const LightSample& light) {
@@ -126,24 +134,23 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
     frame = hit.has_coordinates ? Frame::along(side * normal, hit.along_u) : Frame::around(side * normal);
     wo = frame.to_local(-ray_direction);
   };
-  const auto is_valid = [&] {
-    return wo.z > 0 && side * glm::dot(frame.to_world(mirrored(wo)), hit.normal_geometric) > 0;
-  };
   bool shaded = false;
   if (hit.has_coordinates && material->normal_map) {
     shade_with(mapped_normal(scene, *material, hit));
-    shaded = is_valid();
+    shaded = is_valid(wo);
+    normal_ = shaded ? Normal::First : Normal::Other;
   }
   if (!shaded) {
     shade_with(hit.normal_shading);
-    if (hit.normal_shading != hit.normal_geometric && !is_valid()) shade_with(hit.normal_geometric);
+    if (hit.normal_shading != hit.normal_geometric) {
+      if (normal_ == Normal::Only) normal_ = Normal::First;
+      if (!is_valid(wo)) {
+        shade_with(hit.normal_geometric);
+        normal_ = Normal::Other;
+      }
+    }
   }
-  // On the silhouette of a sphere the cosine may round to the wrong sign; the side is known, so it is only small.
-  constexpr float kSmallestCosine = 1e-6f;
-  if (wo.z < kSmallestCosine) {
-    wo.z = kSmallestCosine;
-    wo = glm::normalize(wo);
-  }
+  keep_above(wo);
 
   lobe_count_ = hit.front || material->lobe_sides == Sides::Both ? material->lobes.size() : 0;
   const bool is_textured = hit.has_coordinates && !material->textures.empty();
@@ -171,15 +178,66 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
     for (std::size_t i = 0; i < here.size(); ++i) selection[i] /= total_weight;
 }
 
+bool Vertex::is_valid(glm::vec3 wo_local) const {
+  const float side = hit.front ? 1.0f : -1.0f;
+  return wo_local.z > 0 && side * glm::dot(frame.to_world(mirrored(wo_local)), hit.normal_geometric) > 0;
+}
+
+glm::vec3 Vertex::as_seen_from(glm::vec3 to_walk) const {
+  const bool same_side = (glm::dot(to_walk, hit.normal_geometric) > 0) == hit.front;
+  glm::vec3 from = frame.to_local(to_walk);
+  if (!same_side || normal_ == Normal::Other || (normal_ == Normal::First && !is_valid(from)))
+    from.z = 0;
+  else
+    keep_above(from);
+  return from;
+}
+
 Vertex::Values Vertex::values(glm::vec3 wi) const {
   Values values;
   const std::span<const Lobe> here = lobes();
+  values.lobes = here.size();
   for (std::size_t i = 0; i < here.size(); ++i) {
     const LobeValue value = value_and_pdf(here[i], wo, wi, hit.front);
     values.f[i] = value.f;
     values.pdf_solid_angle += selection[i] * value.pdf_solid_angle;
   }
   return values;
+}
+
+float Vertex::pdf_solid_angle(glm::vec3 wi) const {
+  float pdf = 0;
+  const std::span<const Lobe> here = lobes();
+  for (std::size_t i = 0; i < here.size(); ++i)
+    pdf += selection[i] * transport::pdf_solid_angle(here[i], wo, wi, hit.front);
+  return pdf;
+}
+
+Vertex::Values Vertex::values(glm::vec3 from, glm::vec3 wi) const {
+  Values values;
+  const std::span<const Lobe> here = lobes();
+  values.lobes = here.size();
+  float total = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const LobeValue value = value_and_pdf(here[i], from, wi, hit.front);
+    const float weight = selection_weight(here[i], from);
+    values.f[i] = value.f;
+    values.pdf_solid_angle += weight * value.pdf_solid_angle;
+    total += weight;
+  }
+  if (total > 0) values.pdf_solid_angle /= total;
+  return values;
+}
+
+float Vertex::pdf_solid_angle(glm::vec3 from, glm::vec3 wi) const {
+  const std::span<const Lobe> here = lobes();
+  float pdf = 0, total = 0;
+  for (const Lobe& lobe : here) {
+    const float weight = selection_weight(lobe, from);
+    pdf += weight * transport::pdf_solid_angle(lobe, from, wi, hit.front);
+    total += weight;
+  }
+  return total > 0 ? pdf / total : 0.0f;
 }
 
 void gather_direct_light(const World& world, Walk& walk, const Vertex& vertex, taxonomy::WordTrie::Node node,

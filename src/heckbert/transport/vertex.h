@@ -122,12 +122,21 @@ struct Vertex {
     union {
       Rgb f[kMaxLobes];
     };
+    std::size_t lobes = 0;
     /// Of following any of them into wi, selection included: the density that multiple importance weights see.
     float pdf_solid_angle = 0;
 
     Values() {}
+    std::span<const Rgb> of_lobes() const { return std::span(f).first(lobes); }
   };
   Values values(glm::vec3 wi) const;
+  float pdf_solid_angle(glm::vec3 wi) const;
+  /// The same, had the walk come along another wo; see as_seen_from().
+  Values values(glm::vec3 from, glm::vec3 wi) const;
+  float pdf_solid_angle(glm::vec3 from, glm::vec3 wi) const;
+  /// The wo that a walk from that side, `to_walk` being unit, would have given this vertex. Its z is 0 when such a walk
+  /// would have made another vertex: on the other side of the surface, or shaded with another normal.
+  glm::vec3 as_seen_from(glm::vec3 to_walk) const;
   /// A world direction as this vertex may use it: local, with a z of 0 when the shading and the geometric normal
   /// disagree about its side.
   glm::vec3 local(glm::vec3 world) const {
@@ -142,6 +151,13 @@ struct Vertex {
   }
 
  private:
+  /// Of the normals that the rule above tries, the one that this vertex is shaded with.
+  enum class Normal : std::uint8_t { Only, First, Other };
+
+  /// Would a ray from wo be mirrored to the outside?
+  bool is_valid(glm::vec3 wo_local) const;
+
+  Normal normal_ = Normal::Only;
   std::size_t lobe_count_ = 0;
   std::optional<std::array<Lobe, kMaxLobes>> lobes_here_;
 };
