@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstdint>
 
+#include <heckbert/cli/settings.h>
+
 namespace heckbert::cli {
 namespace {
 
 constexpr int kShrink = 8;             ///< pilot pictures are smaller than the picture by this, each way
 constexpr double kEnoughShare = 0.04;  ///< of the whole time: a pilot that took this long can be trusted
 constexpr int kMaxPilotSamples = 1'024;
-constexpr int kMaxSamples = 1'000'000;
 constexpr int kMostToPlan = 32;  ///< samples of a pilot that plans: a block of pixels then has two thousand
 constexpr int kMeanRepeats = 4;  ///< so that a quiet pixel can have a quarter of the samples
 

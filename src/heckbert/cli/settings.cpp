@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/config_file.h>
@@ -24,7 +24,6 @@
 namespace heckbert::cli {
 namespace {
 
-constexpr int kMaxSamples = 1'000'000;
 constexpr int kMaxThreads = 1'024;
 constexpr int kMaxDepth = 1'000;
 

@@ -27,6 +27,8 @@ class App;
 
 namespace heckbert::cli {
 
+inline constexpr int kMaxSamples = 1'000'000;  ///< of a pixel
+
 enum class When : std::uint8_t { Auto, Always, Never };
 
 struct Size {

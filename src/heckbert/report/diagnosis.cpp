@@ -9,7 +9,7 @@
 namespace heckbert::report {
 namespace {
 
-using Groups = std::map<GroupKey, WordGroup>;
+using Groups = std::map<GroupKey, ComparedWords>;
 
 /// Of the words that somebody knows.
 Groups known_groups(const Suspect& suspect, const std::vector<Witness>& witnesses) {
@@ -72,7 +72,7 @@ Diagnosis diagnose(const Suspect& suspect, const std::vector<Witness>& witnesses
                       .causes = {},
                       .candidates = {},
                       .has_measured = !measured.empty()};
-  const auto energy = [&](const WordGroup& group) {
+  const auto energy = [&](const ComparedWords& group) {
     return witnesses[group.witness].evidence->statistics(options.confidence).energy(group.expected.values);
   };
   for (const auto& [key, group] : groups) diagnosis.total += energy(group).mean;

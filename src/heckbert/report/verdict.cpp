@@ -18,7 +18,7 @@ namespace {
 constexpr double kNearlyAll = 0.9;
 
 /// With what the coarser stages of the trial found.
-struct Group : WordGroup {
+struct Group : ComparedWords {
   std::size_t length = 0;  ///< of the longest
   bool is_by_lens = false;
   std::vector<Series> coarser{};

@@ -27,16 +27,16 @@ void add(std::map<std::size_t, Series>& sum, const std::map<std::size_t, Series>
   for (const auto& [block, series] : more) sum[block] += series;
 }
 
-std::map<GroupKey, WordGroup> groups_of(const Evidence& own, const Grouping& grouping) {
-  std::map<GroupKey, WordGroup> groups;
-  const auto group_of = [&](const taxonomy::Word& word, const GroupKey& key) -> WordGroup& {
-    WordGroup& group = groups[key];
+std::map<GroupKey, ComparedWords> groups_of(const Evidence& own, const Grouping& grouping) {
+  std::map<GroupKey, ComparedWords> groups;
+  const auto group_of = [&](const taxonomy::Word& word, const GroupKey& key) -> ComparedWords& {
+    ComparedWords& group = groups[key];
     group.word = word;
     std::tie(std::ignore, group.name, group.is_claimed, group.witness) = key;
     return group;
   };
   for (const auto& [word, evidence] : own.words()) {
-    WordGroup& group = group_of(word, key_of(word, grouping));
+    ComparedWords& group = group_of(word, key_of(word, grouping));
     group.found += evidence.picture;
     add(group.found_blocks, evidence.blocks);
     keep_brighter(group.brightest_found, evidence.brightest);
@@ -45,7 +45,7 @@ std::map<GroupKey, WordGroup> groups_of(const Evidence& own, const Grouping& gro
     for (const auto& [word, evidence] : grouping.witnesses[w].evidence->words()) {
       const GroupKey key = key_of(word, grouping);
       if (std::get<3>(key) != w) continue;
-      WordGroup& group = group_of(word, key);
+      ComparedWords& group = group_of(word, key);
       group.expected += evidence.picture;
       add(group.expected_blocks, evidence.blocks);
       keep_brighter(group.brightest_expected, evidence.brightest);

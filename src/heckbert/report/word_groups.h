@@ -37,7 +37,7 @@ struct Grouping {
 using GroupKey = std::tuple<taxonomy::Symbol, std::string, bool, std::size_t>;
 GroupKey key_of(const taxonomy::Word& word, const Grouping& grouping);
 
-struct WordGroup {
+struct ComparedWords {
   taxonomy::Word word;  ///< one of them
   std::string name;     ///< as all of them print
   bool is_claimed = false;
@@ -48,7 +48,7 @@ struct WordGroup {
 };
 
 /// Of all words that the algorithm found or a witness vouches for.
-std::map<GroupKey, WordGroup> groups_of(const Evidence& own, const Grouping& grouping);
+std::map<GroupKey, ComparedWords> groups_of(const Evidence& own, const Grouping& grouping);
 
 /// Block by block.
 void add(std::map<std::size_t, Series>& sum, const std::map<std::size_t, Series>& more);

@@ -56,7 +56,7 @@ void declare(CLI::App& command, ClassifyFlags& options) {
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kClassifyExamples =
     "  heckbert classify cornell.paths.exr\n"
     "  heckbert classify cornell.paths.exr --by length --top 0\n"
     "  heckbert classify cornell.paths.exr --reach 0.99\n"
@@ -97,8 +97,8 @@ ExitCode run(const ClassifyFlags& options) {
 }  // namespace
 
 void add_classify(CLI::App& app, Run& chosen) {
-  add_command<ClassifyFlags>(app, chosen, "classify", "The words of a record by energy, or groups of them", kExamples,
-                             declare, run);
+  add_command<ClassifyFlags>(app, chosen, "classify", "The words of a record by energy, or groups of them",
+                             kClassifyExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -65,7 +65,7 @@ void declare(CLI::App& command, CoverageFlags& options) {
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kCoverageExamples =
     "  heckbert coverage cornell.paths.exr\n"
     "  heckbert coverage cornell.paths.exr --grammar whitted --grammar 'L(D|S)*E' --glossy specular\n"
     "  heckbert coverage cornell.paths.exr --grammar my.grammar --json\n"
@@ -147,8 +147,8 @@ ExitCode run(const CoverageFlags& options) {
 }  // namespace
 
 void add_coverage(CLI::App& app, Run& chosen) {
-  add_command<CoverageFlags>(app, chosen, "coverage", "What each algorithm captures and misses of a record", kExamples,
-                             declare, run);
+  add_command<CoverageFlags>(app, chosen, "coverage", "What each algorithm captures and misses of a record",
+                             kCoverageExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

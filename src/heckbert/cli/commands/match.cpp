@@ -6,9 +6,9 @@
 
 #include <heckbert/cli/commands/command.h>
 #include <heckbert/cli/commands/commands.h>
-#include <heckbert/cli/never.h>
 #include <heckbert/cli/console.h>
 #include <heckbert/cli/languages.h>
+#include <heckbert/cli/never.h>
 #include <heckbert/cli/settings.h>
 #include <heckbert/report/json_parts.h>
 #include <heckbert/taxonomy/error.h>
@@ -33,7 +33,7 @@ void declare(CLI::App& command, MatchOptions& options) {
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kMatchExamples =
     "  heckbert match 'LD?S*E' LDSE LDDE\n"
     "  heckbert match 'LD?S*E' LDDE --explain\n"
     "  heckbert match @whitted < words.txt\n";
@@ -81,7 +81,7 @@ ExitCode run(const MatchOptions& options) {
 }  // namespace
 
 void add_match(CLI::App& app, Run& chosen) {
-  add_command<MatchOptions>(app, chosen, "match", "Does each word match an expression?", kExamples, declare, run);
+  add_command<MatchOptions>(app, chosen, "match", "Does each word match an expression?", kMatchExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -37,7 +37,7 @@ void declare(CLI::App& command, MergeOptions& options) {
   add_settings(command, options.flags, {});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kMergeExamples =
     "  heckbert merge room.part-*.paths.exr -o room.paths.exr\n"
     "  heckbert merge monday.paths.exr tuesday.paths.exr -o both.paths.exr --exact\n";
 
@@ -120,7 +120,7 @@ ExitCode run(const MergeOptions& options) {
 
 void add_merge(CLI::App& app, Run& chosen) {
   add_command<MergeOptions>(app, chosen, "merge", "Add up records: the parts of a render, or other seeds of a scene",
-                            kExamples, declare, run);
+                            kMergeExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -40,7 +40,7 @@ void declare(CLI::App& command, PathsOptions& options) {
   add_settings(command, options.flags, {Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kPathsExamples =
     "  heckbert paths lecture.paths.exr --pixel 120,200\n"
     "  heckbert paths lecture.paths.exr --pixel 120,200 --trace --top 3\n"
     "  heckbert paths lecture.paths.exr --pixel 120,200 --trace --json\n";
@@ -76,8 +76,8 @@ ExitCode run(const PathsOptions& options) {
 }  // namespace
 
 void add_paths(CLI::App& app, Run& chosen) {
-  add_command<PathsOptions>(app, chosen, "paths", "The words of a pixel, and where its paths went", kExamples, declare,
-                            run);
+  add_command<PathsOptions>(app, chosen, "paths", "The words of a pixel, and where its paths went", kPathsExamples,
+                            declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -42,7 +42,7 @@ void declare(CLI::App& command, QueryOptions& options) {
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kQueryExamples =
     "  heckbert query cornell.paths.exr 'LS+DE' -o caustic.exr --preview caustic.png\n"
     "  heckbert query cornell.paths.exr direct='LDE' indirect='LDD+E' -o layers.exr\n"
     "  heckbert query cornell.paths.exr direct='LDE' indirect='LDD+E' --preview 'cornell-{}.png'\n"
@@ -112,7 +112,7 @@ ExitCode run(const QueryOptions& options) {
 
 void add_query(CLI::App& app, Run& chosen) {
   add_command<QueryOptions>(app, chosen, "query", "The picture of any class of paths, and its share of the energy",
-                            kExamples, declare, run);
+                            kQueryExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

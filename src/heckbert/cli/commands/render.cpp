@@ -55,7 +55,7 @@ void declare(CLI::App& command, RenderOptions& options) {
                {Scope::Tracing, Scope::Rendering, Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kRenderExamples =
     "  heckbert render cornell -o cornell.exr --record cornell.paths.exr --spp 64\n"
     "  heckbert render room.obj -o room.exr --size 640x480 --time 30\n"
     "  heckbert render lecture -o out.exr --lpe caustic='LS+DE' --lpe indirect=@indirect\n"
@@ -181,7 +181,7 @@ ExitCode run(const RenderOptions& options) {
 
 void add_render(CLI::App& app, Run& chosen) {
   add_command<RenderOptions>(app, chosen, "render", "Trace a scene; write its picture, class pictures and record",
-                             kExamples + methods_text(), declare, run);
+                             kRenderExamples + methods_text(), declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -42,7 +42,7 @@ void declare(CLI::App& command, ReportOptions& options) {
   add_settings(command, options.flags, {Scope::Dialect, Scope::Glossy, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kReportExamples =
     "  heckbert report cornell.paths.exr -o cornell.html\n"
     "  heckbert report cornell.paths.exr -o cornell.html --sheet cornell-sheet.png --glossy specular\n"
     "  heckbert report cornell.paths.exr -o cornell.html --grammar whitted --grammar photon-mapping\n"
@@ -84,8 +84,8 @@ ExitCode run(const ReportOptions& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Run& chosen) {
-  add_command<ReportOptions>(app, chosen, "report", "One page with pictures, coverage and words of a record", kExamples,
-                             declare, run);
+  add_command<ReportOptions>(app, chosen, "report", "One page with pictures, coverage and words of a record",
+                             kReportExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -72,7 +72,7 @@ void declare(CLI::App& command, VerifyOptions& options) {
   add_settings(command, options.flags, {Scope::Tracing, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kVerifyExamples =
     "  heckbert verify cornell\n"
     "  heckbert verify lecture --algorithm whitted --algorithm lecture --spp 256 -o pictures\n"
     "  heckbert verify room.json --reference room.paths.exr --json\n";
@@ -244,8 +244,8 @@ ExitCode run(const VerifyOptions& options) {
 
 void add_verify(CLI::App& app, Run& chosen) {
   add_command<VerifyOptions>(app, chosen, "verify",
-                             "Run the algorithms and test each against what its grammar predicts", kExamples, declare,
-                             run);
+                             "Run the algorithms and test each against what its grammar predicts", kVerifyExamples,
+                             declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -54,7 +54,7 @@ void declare(CLI::App& command, WhyOptions& options) {
   add_settings(command, options.flags, {Scope::Tracing, Scope::Confidence});
 }
 
-constexpr const char* kExamples =
+constexpr const char* kWhyExamples =
     "  heckbert why caustic-point\n"
     "  heckbert why lecture --algorithm whitted --pixel 300,400\n"
     "  heckbert why lantern --cheapest --plot lantern.svg\n";
@@ -198,8 +198,8 @@ ExitCode run(const WhyOptions& options) {
 }  // namespace
 
 void add_why(CLI::App& app, Run& chosen) {
-  add_command<WhyOptions>(app, chosen, "why", "Why is it black? What an algorithm cannot find, and who can", kExamples,
-                          declare, run);
+  add_command<WhyOptions>(app, chosen, "why", "Why is it black? What an algorithm cannot find, and who can",
+                          kWhyExamples, declare, run);
 }
 
 }  // namespace heckbert::cli

@@ -31,7 +31,7 @@ std::string title_of(const Neighbour& neighbour) {
   return describe(taxonomy::Match{neighbour.grammar, neighbour.form, 0});
 }
 
-report::Json to_json(const std::vector<Neighbour>& neighbours) {
+report::Json json_of(const std::vector<Neighbour>& neighbours) {
   report::Json json = report::Json::array();
   for (const Neighbour& n : neighbours)
     json.push_back({{"name", n.grammar->name}, {"description", title_of(n)}, {"witness", show(n.witness)}});
@@ -54,8 +54,8 @@ ExitCode run(const IdentifyOptions& options) {
     json["same"] = report::Json::array();
     for (const taxonomy::Match& m : found.same)
       json["same"].push_back({{"name", m.grammar->name}, {"description", describe(m)}});
-    json["containing"] = to_json(found.containing);
-    json["contained"] = to_json(found.contained);
+    json["containing"] = json_of(found.containing);
+    json["contained"] = json_of(found.contained);
     fmt::print("{}", report::dump(json));
   } else {
     for (const taxonomy::Match& m : found.same) fmt::print("{} ({})\n", describe(m), m.grammar->name);

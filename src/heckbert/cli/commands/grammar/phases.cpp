@@ -32,7 +32,7 @@ taxonomy::Phases phases_of(const std::string& text, const Settings& settings) {
   return taxonomy::phases(text, settings.dialect, taxonomy::builtin_grammars().names(), "EXPR");
 }
 
-report::Json to_json(const taxonomy::FormPhases& form) {
+report::Json json_of(const taxonomy::FormPhases& form) {
   report::Json json{{"expression", form.expression}, {"lights", form.lights}, {"tree", form.tree}};
   json["parts"] = report::Json::array();
   for (const taxonomy::PartPhases& part : form.parts)
@@ -52,7 +52,7 @@ ExitCode run(const PhasesOptions& options) {
     json["expression"] = options.expression;
     json["dialect"] = taxonomy::facts(settings.dialect).name;
     json["forms"] = report::Json::array();
-    for (const taxonomy::FormPhases& form : phases.forms) json["forms"].push_back(to_json(form));
+    for (const taxonomy::FormPhases& form : phases.forms) json["forms"].push_back(json_of(form));
     json["minimal"] = phases.minimal;
     json["states"] = phases.states;
     fmt::print("{}", report::dump(json));

@@ -44,7 +44,7 @@ std::vector<Found> for_all_ends(taxonomy::Word word) {
   return all;
 }
 
-report::Json to_json(const taxonomy::Word& word) {
+report::Json json_of(const taxonomy::Word& word) {
   report::Json ends = report::Json::array();
   for (const Found& found : for_all_ends(word)) {
     report::Json list = report::Json::array();
@@ -89,7 +89,7 @@ ExitCode run(const StrategiesOptions& options) {
   if (options.json) {
     report::Json json = report::document_of("heckbert.grammar_strategies");
     json["words"] = report::Json::array();
-    for (const taxonomy::Word& word : words) json["words"].push_back(to_json(word));
+    for (const taxonomy::Word& word : words) json["words"].push_back(json_of(word));
     fmt::print("{}", report::dump(json));
   } else {
     fmt::print("{}", words.size() == 1 ? named_strategies(words.front(), console.table_style())
