@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <heckbert/cli/choice.h>
 #include <heckbert/cli/languages.h>
