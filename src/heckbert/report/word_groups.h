@@ -37,6 +37,7 @@ struct Grouping {
 using GroupKey = std::tuple<taxonomy::Symbol, std::string, bool, std::size_t>;
 GroupKey key_of(const taxonomy::Word& word, const Grouping& grouping);
 
+/// Such words together.
 struct ComparedWords {
   taxonomy::Word word;  ///< one of them
   std::string name;     ///< as all of them print
