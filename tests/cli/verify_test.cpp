@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,13 @@ namespace heckbert::cli::testing {
 namespace {
 
 using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::Each;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using ::testing::UnorderedElementsAre;
 
 TEST(Verify, EndsWellWhenEveryGrammarCameTrue) {
   const Outcome outcome = run({"verify", "caustic", "--algorithm", "whitted", "--size", "32x32", "--spp", "32"});
@@ -131,7 +138,7 @@ TEST(Verify, LooksForAPlaceForItsPicturesBeforeItRenders) {
   const Outcome outcome = run({"verify", "lecture", "--size", "16x16", "-o", file.string()});
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_THAT(outcome.err, HasSubstr("cannot make this folder"));
-  EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("samples per pixel")));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("samples per pixel")));
 }
 
 TEST(Verify, ShowsItsProgress) {
@@ -146,6 +153,79 @@ TEST(Verify, RefusesWhatCannotBeVerified) {
   EXPECT_EQ(run({"verify", "lecture", "--algorithm", "whited"}).exit_code, 2);
 }
 
+// ---- in fog ---------------------------------------------------------------------------------------------------------
+
+/// A lamp and the eye outside of a box of fog, whose particles scatter forwards or, where negative, backwards. So light
+/// comes from no point within it and goes to none, which would leave words without a variance.
+std::string foggy_floor(const TemporaryFolder& folder, double anisotropy) {
+  return folder.write(fmt::format("fog{}.json", anisotropy), fmt::format(R"({{
+    "camera": {{ "position": [0, 1, 4], "look_at": [0, 0.6, 0] }},
+    "media": [ {{ "name": "fog", "absorption": 0.2, "scattering": 0.6, "anisotropy": {} }} ],
+    "materials": [ {{ "name": "grey", "type": "lambert", "albedo": 0.5 }},
+                   {{ "name": "lamp", "type": "lambert", "albedo": 0.5, "emission": 9 }},
+                   {{ "name": "fog", "index_matched": true, "medium": "fog" }} ],
+    "shapes": [ {{ "type": "quad", "material": "grey", "corner": [-3, 0, 3], "edge_u": [6, 0, 0], "edge_v": [0, 0, -6] }},
+                {{ "type": "quad", "material": "lamp", "corner": [-0.5, 2, -0.5], "edge_u": [1, 0, 0], "edge_v": [0, 0, 1] }},
+                {{ "type": "box", "material": "fog", "low": [-1.2, 0.1, -1], "high": [1.2, 1.3, 1] }} ] }})",
+                                                                         anisotropy));
+}
+
+/// What `verify` says of each algorithm at 32 by 32 pixels, by its name.
+std::map<std::string, json> verdicts(const std::string& scene, const std::vector<std::string>& algorithms,
+                                     const std::vector<std::string>& more, int exit_code) {
+  std::vector<std::string> command{"verify", scene, "--size", "32x32", "--spp", "32", "--json"};
+  for (const std::string& algorithm : algorithms) command.insert(command.end(), {"--algorithm", algorithm});
+  command.insert(command.end(), more.begin(), more.end());
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  std::map<std::string, json> verdicts;
+  const json document = json::parse(outcome.out);
+  for (const json& verdict : document["verdicts"]) verdicts[verdict["algorithm"]] = verdict;
+  return verdicts;
+}
+
+/// The words of a verdict that stand so.
+std::vector<std::string> words_that(const std::string& standing, const json& verdict) {
+  std::vector<std::string> words;
+  for (const json& word : verdict["words"])
+    if (word["standing"] == standing) words.push_back(word["word"]);
+  return words;
+}
+
+TEST(Verify, ComparesWordsThroughFog) {
+  const TemporaryFolder folder;
+  auto of = verdicts(foggy_floor(folder, 0.3), {"path", "light", "bidirectional", "photon-map"},
+                     {"--reference-spp", "64"}, 0);
+  ASSERT_EQ(of.size(), 4u);
+  for (const auto& [algorithm, verdict] : of) {
+    EXPECT_EQ(verdict["verdict"], "captures") << algorithm;
+    EXPECT_TRUE(verdict["expected"]) << algorithm;
+  }
+  for (const char* scatters : {"path", "light", "bidirectional"})
+    EXPECT_THAT(words_that("agrees", of[scatters]), IsSupersetOf({"LDE", "LVE", "LVVE", "LVDE", "LDVE", "LVVDE"}))
+        << scatters;
+  // Photons do not scatter there; what light they and their eye's walks bring is dimmed.
+  EXPECT_THAT(words_that("agrees", of["photon-map"]), UnorderedElementsAre("LE", "LDE"));
+  for (const json& word : of["photon-map"]["words"]) EXPECT_THAT(word["word"].get<std::string>(), Not(HasSubstr("V")));
+}
+
+// The record is of fog that throws light back where the scene's throws it on, and dims it alike.
+TEST(Verify, FindsFogOfAnotherPhaseInTheWordsThatScatterThere) {
+  const TemporaryFolder folder;
+  const std::string record = (folder / "back.paths.exr").string();
+  ASSERT_EQ(run({"render", foggy_floor(folder, -0.3), "--record", record, "--size", "32x32", "--spp", "64"}).exit_code,
+            0);
+  auto of = verdicts(foggy_floor(folder, 0.3), {"light", "bidirectional", "photon-map"}, {"--reference", record}, 1);
+  for (const char* scatters : {"light", "bidirectional"}) {
+    EXPECT_EQ(of[scatters]["verdict"], "wrong-values") << scatters;
+    EXPECT_EQ(of[scatters]["shortest"], "LVE") << scatters;
+    EXPECT_THAT(words_that("differs", of[scatters]), AllOf(Contains("LVVE"), Contains("LVDE"), Each(HasSubstr("V"))))
+        << scatters;
+    EXPECT_THAT(words_that("agrees", of[scatters]), Contains("LDE")) << scatters;
+  }
+  EXPECT_EQ(of["photon-map"]["verdict"], "captures");
+}
+
 // ---- why ------------------------------------------------------------------------------------------------------------
 
 TEST(Why, NamesTheWordsThatAnAlgorithmCannotFind) {
@@ -157,9 +237,9 @@ TEST(Why, NamesTheWordsThatAnAlgorithmCannotFind) {
   EXPECT_EQ(document["words"][0]["witness"], "path");
   std::vector<std::string> words;
   for (const json& word : document["words"]) words.push_back(word["word"]);
-  EXPECT_THAT(words, ::testing::Contains("LSDE"));
-  EXPECT_THAT(words, ::testing::Contains("LDDE"));
-  EXPECT_THAT(words, ::testing::Not(::testing::Contains("LDSE")));
+  EXPECT_THAT(words, Contains("LSDE"));
+  EXPECT_THAT(words, Contains("LDDE"));
+  EXPECT_THAT(words, Not(Contains("LDSE")));
 }
 
 TEST(Why, OfAPixelIsAboutThatPixel) {
