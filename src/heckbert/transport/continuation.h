@@ -88,7 +88,7 @@ inline Continuation follow_delta(const Vertex& vertex, Drawn lobe) {
 inline glm::vec3 draw_direction(const Vertex& vertex, Drawn lobe, Sampler& sampler) {
   const glm::vec3 local =
       sample_direction(vertex.lobes()[lobe.index], vertex.wo, {sampler.next2(), lobe.u}, vertex.hit.front);
-  return local.z == 0 ? local : vertex.local(vertex.frame.to_world(local));
+  return local.z == 0 ? local : vertex.usable(local);
 }
 
 /// The one lobe that a walk goes on as, and its share of what all of them send along the direction.
@@ -98,6 +98,7 @@ struct ChosenLobe {
 };
 
 inline ChosenLobe choose_lobe(std::span<const Rgb> f, Sampler& sampler) {
+  if (f.size() == 1) return {0, is_black(f[0]) ? 0.0f : 1.0f};
   std::array<float, kMaxLobes> weight{};
   float total = 0;
   for (std::size_t i = 0; i < f.size(); ++i) total += weight[i] = max_channel(f[i]);
@@ -129,7 +130,7 @@ inline Continuation follow_alone(const Vertex& vertex, const Lobe& lobe, Sampler
   const glm::vec3 drawn =
       sample_direction(lobe, vertex.wo, {u, is_branching(lobe) ? sampler.next() : 0.0f}, vertex.hit.front);
   if (drawn.z == 0) return {};
-  const glm::vec3 wi = vertex.local(vertex.frame.to_world(drawn));
+  const glm::vec3 wi = vertex.usable(drawn);
   if (wi.z == 0) return {};
   const LobeValue value = value_and_pdf(lobe, vertex.wo, wi, vertex.hit.front);
   if (!(value.pdf_solid_angle > 0)) return {};

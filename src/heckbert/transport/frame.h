@@ -16,8 +16,9 @@ inline constexpr float kPi = std::numbers::pi_v<float>;
 struct Frame {
   glm::vec3 s, t, n;
 
-  /// Any frame around a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-  static Frame around(glm::vec3 n) {
+  /// Any frame around a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). A call would return
+  /// it through memory, which costs more than making it (docs/performance.md).
+  [[gnu::always_inline]] static Frame around(glm::vec3 n) {
     const float sign = std::copysign(1.0f, n.z);
     const float a = -1.0f / (sign + n.z);
     const float b = n.x * n.y * a;

@@ -128,27 +128,11 @@ glm::vec3 mapped_normal(const Scene& scene, const Material& material, const Hit&
 
 Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, float index_in_front)
     : hit(found), material(&scene.materials[found.material]) {
-  const float side = hit.front ? 1.0f : -1.0f;
-  // By reference, though a copy is no dearer elsewhere: not inlined, it would be written by parts and read as a whole.
-  const auto shade_with = [&](const glm::vec3& normal) {
-    frame = hit.has_coordinates ? Frame::along(side * normal, hit.along_u) : Frame::around(side * normal);
+  if (!hit.has_coordinates && hit.normal_shading == hit.normal_geometric) [[likely]] {
+    frame = Frame::around(hit.front ? hit.normal_shading : -hit.normal_shading);
     wo = frame.to_local(-ray_direction);
-  };
-  bool shaded = false;
-  if (hit.has_coordinates && material->normal_map) {
-    shade_with(mapped_normal(scene, *material, hit));
-    shaded = is_valid(wo);
-    normal_ = shaded ? Normal::First : Normal::Other;
-  }
-  if (!shaded) {
-    shade_with(hit.normal_shading);
-    if (hit.normal_shading != hit.normal_geometric) {
-      if (normal_ == Normal::Only) normal_ = Normal::First;
-      if (!is_valid(wo)) {
-        shade_with(hit.normal_geometric);
-        normal_ = Normal::Other;
-      }
-    }
+  } else {
+    shade_with_first_valid(scene, ray_direction);
   }
   keep_above(wo);
 
@@ -174,8 +158,29 @@ Vertex::Vertex(const Scene& scene, const Hit& found, glm::vec3 ray_direction, fl
     transmits |= transport::transmits(here[i]);
     has_choice |= is_branching(here[i]);
   }
-  if (total_weight > 0)
+  if (here.size() == 1 && total_weight > 0) selection[0] = 1;
+  if (here.size() > 1 && total_weight > 0)
     for (std::size_t i = 0; i < here.size(); ++i) selection[i] /= total_weight;
+}
+
+void Vertex::shade_with_first_valid(const Scene& scene, glm::vec3 ray_direction) {
+  const auto shade_with = [&](glm::vec3 normal) {
+    const glm::vec3 n = hit.front ? normal : -normal;
+    frame = hit.has_coordinates ? Frame::along(n, hit.along_u) : Frame::around(n);
+    wo = frame.to_local(-ray_direction);
+  };
+  const bool is_flat = hit.normal_shading == hit.normal_geometric;
+  if (hit.has_coordinates && material->normal_map) {
+    shade_with(mapped_normal(scene, *material, hit));
+    normal_ = is_valid(wo) ? Normal::First : Normal::Other;
+    if (normal_ == Normal::First) return;
+  } else if (!is_flat) {
+    normal_ = Normal::First;
+  }
+  shade_with(hit.normal_shading);
+  if (is_flat || is_valid(wo)) return;
+  shade_with(hit.normal_geometric);
+  normal_ = Normal::Other;
 }
 
 bool Vertex::is_valid(glm::vec3 wo_local) const {

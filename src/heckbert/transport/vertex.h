@@ -140,10 +140,15 @@ struct Vertex {
   /// A world direction as this vertex may use it: local, with a z of 0 when the shading and the geometric normal
   /// disagree about its side.
   glm::vec3 local(glm::vec3 world) const {
-    const bool same_side = (glm::dot(world, hit.normal_geometric) > 0) == hit.front;
     glm::vec3 wi = frame.to_local(world);
+    if (normal_ == Normal::Only) return wi;
+    const bool same_side = (glm::dot(world, hit.normal_geometric) > 0) == hit.front;
     if ((wi.z > 0) != same_side) wi.z = 0;
     return wi;
+  }
+  /// The same of a direction that is local already.
+  glm::vec3 usable(glm::vec3 local_direction) const {
+    return normal_ == Normal::Only ? local_direction : local(frame.to_world(local_direction));
   }
   /// The ray that goes on; `transmitted` says on which side.
   Ray leave(glm::vec3 wi, bool transmitted) const {
@@ -154,6 +159,8 @@ struct Vertex {
   /// Of the normals that the rule above tries, the one that this vertex is shaded with.
   enum class Normal : std::uint8_t { Only, First, Other };
 
+  /// Sets the frame and wo by the rule above; the constructor does the same for the commonest case at once.
+  void shade_with_first_valid(const Scene& scene, glm::vec3 ray_direction);
   /// Would a ray from wo be mirrored to the outside?
   bool is_valid(glm::vec3 wo_local) const;
 
