@@ -147,6 +147,39 @@ TEST(Emitter, SamplesFollowTheirDensityAndItIsNormalised) {
     }
 }
 
+TEST(Emitter, RectanglesFromAfarAreDrawnNearlyByTheirSolidAngle) {
+  // By solid angle every draw finds the same amount of light where the light's direction does not matter; by area alone
+  // the squared deviation at two extents is 0.2 of the squared mean, averaged over all directions
+  // (docs/performance.md).
+  constexpr int kPlacesAround = 200, kDraws = 200;
+  const Piece piece = rectangle_piece();
+  const Emitter& e = piece.emitter;
+  for (const auto& [extents, most] : {std::pair{2.05f, 0.045}, std::pair{3.0f, 0.012}, std::pair{5.0f, 0.0016}}) {
+    SCOPED_TRACE(extents);
+    double warped = 0, by_area = 0;
+    for (int k = 0; k < kPlacesAround; ++k) {
+      const glm::vec3 from = e.center + extents * e.extent * uniform_sphere(Sampler(5, k, 0, 0).next2());
+      const auto deviation = [&](const auto& found_by) {
+        double sum = 0, sum2 = 0;
+        for (int n = 0; n < kDraws; ++n) {
+          const double found = found_by(Sampler(6, k, n, 0).next2());
+          sum += found;
+          sum2 += found * found;
+        }
+        return sum2 * kDraws / (sum * sum) - 1;
+      };
+      warped +=
+          deviation([&](glm::vec2 u) { return 1 / static_cast<double>(sample_surface(e, from, u).pdf_solid_angle); });
+      by_area += deviation([&](glm::vec2 u) {
+        const SurfaceSample s = sample_area(e, u);
+        return solid_angle_per_area({glm::dvec3(s.position), glm::dvec3(s.normal), 0}, glm::dvec3(from));
+      });
+    }
+    EXPECT_LT(warped / kPlacesAround, most);
+    EXPECT_GT(by_area / kPlacesAround, 4 * most) << "the bound would say nothing";
+  }
+}
+
 TEST(SphericalShapes, HaveTheSolidAnglesOfAnOctantAndOfACubesFace) {
   const SphericalTriangle octant({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::normalize(glm::vec3(1)), {0, 0, 0});
   EXPECT_NEAR(octant.solid_angle(), std::numbers::pi / 2, 1e-7);
