@@ -1,6 +1,7 @@
 // Photons. On the inside of a ball the part of the wall that is nearer than r to a place of it has an area of exactly
 // pi r^2, whatever the curvature; where light is spread evenly, as in the anchors A1 and A2, the estimate from photons
-// is therefore right for every radius, word by word. In a box it is not: near the edges part of the disc is missing.
+// is therefore right for every radius, word by word, as long as none is lost that came along the curved wall. In a box
+// it is not: near the edges part of the disc is missing.
 
 #include <map>
 #include <numbers>
@@ -41,7 +42,7 @@ TEST(Photons, OfAGlowingBallGiveEveryWordItsValue) {
   for (const AlgorithmId algorithm : kMerging) {
     std::map<std::string, double> truth;
     for (const std::string& word : words_over_ds(3)) truth[word] = product_of_albedos(word, kD, kS);
-    expect_energies(render(inside_sphere(wall(1)), settings_of(algorithm, 0.1f)), truth);
+    expect_energies(render(inside_sphere(wall(1)), settings_of(algorithm, 0.2f)), truth);
   }
 }
 
@@ -53,7 +54,7 @@ TEST(Photons, OfAPointFindWhatNoJoinedWalksCan) {
   for (const std::string& word : words_over_ds(3))
     if (word.find('D') != std::string::npos) truth[word] = product_of_albedos(word, kD, kS);
   for (const AlgorithmId algorithm : kMerging) {
-    const record::Record record = render(scene, settings_of(algorithm, 0.1f));
+    const record::Record record = render(scene, settings_of(algorithm, 0.2f));
     expect_energies(record, truth);
     EXPECT_EQ(energy_of(record, "LSE").mean, 0);
   }

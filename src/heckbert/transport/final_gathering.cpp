@@ -64,7 +64,7 @@ class FinalGathering {
 
   /// Light of a map that a vertex scatters diffusely.
   void look_up(const PhotonMap& map, const Vertex& vertex, const Leg& leg, float share) {
-    const auto in_full = [](const Photon&, const Vertex::Values&) { return 1.0f; };
+    const auto in_full = [](const Photon&, glm::vec3, const Vertex::Values&) { return 1.0f; };
     gather_photons(world_, walk_, map, vertex, leg.node, leg.throughput * share, leg.scatterings, is_diffuse, in_full);
   }
 

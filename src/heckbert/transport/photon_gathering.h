@@ -14,9 +14,18 @@ namespace heckbert::transport {
 /// Photons whose surface is turned farther than this away from the place belong to another wall.
 inline constexpr float kSameSurface = 0.7f;
 
+/// The direction from which a photon came, as the place sees it: turned with the normal from the one to the other, or
+/// on a curved wall some of the light that grazes it would come from below the horizon of the place and be lost.
+inline glm::vec3 to_light_of(const Photon& photon, glm::vec3 normal) {
+  if (photon.normal == normal) return photon.to_light;
+  const glm::vec3 sum = photon.normal + normal;
+  return photon.to_light - glm::dot(sum, photon.to_light) / (1 + glm::dot(photon.normal, normal)) * sum +
+         2 * glm::dot(photon.normal, photon.to_light) * normal;
+}
+
 /// Finds a path for each photon near the vertex and each lobe with `scatters(its letter)`. `node` is the word up to but
-/// without the vertex; `weigh(photon, values)` is what the path counts, `values` being those of the vertex for light
-/// that comes as the photon did.
+/// without the vertex; `weigh(photon, to_light, values)` is what the path counts, `values` being those of the vertex
+/// for light that comes from there.
 template <class Scatters, class Weigh>
 void gather_photons(const World& world, Walk& walk, const PhotonMap& map, const Vertex& vertex,
                     taxonomy::WordTrie::Node node, Rgb throughput, int scatterings, Scatters scatters, Weigh weigh) {
@@ -28,12 +37,14 @@ void gather_photons(const World& world, Walk& walk, const PhotonMap& map, const 
   for (const Photon* photon : found) {
     if (scatterings + photon->vertices > world.max_depth) continue;
     if (glm::dot(photon->normal, vertex.hit.normal_geometric) < kSameSurface) continue;
-    const glm::vec3 wi = vertex.local(photon->to_light);
-    const float cosine = std::abs(glm::dot(vertex.hit.normal_geometric, photon->to_light));
+    const glm::vec3 to_light = to_light_of(*photon, vertex.hit.normal_geometric);
+    const glm::vec3 wi = vertex.local(to_light);
+    const float cosine = std::abs(glm::dot(vertex.hit.normal_geometric, to_light));
     if (wi.z == 0 || !(cosine > 0)) continue;
     const Vertex::Values values = vertex.values(wi);
-    const Rgb arriving = throughput * photon->power *
-                         (std::abs(wi.z) / cosine / (disc * static_cast<float>(map.walks())) * weigh(*photon, values));
+    const Rgb arriving =
+        throughput * photon->power *
+        (std::abs(wi.z) / cosine / (disc * static_cast<float>(map.walks())) * weigh(*photon, to_light, values));
     for (std::size_t i = 0; i < lobes.size(); ++i) {
       const taxonomy::Symbol event = letter(lobes[i], wi.z < 0);
       if (is_black(values.f[i]) || !scatters(event)) continue;
