@@ -19,8 +19,8 @@ TEST(PlantedErrorsLong, AreFoundInTheRightWordsAtDefaultSettings) {
 
 TEST(PlantedErrorsLong, FalseAlarmsOverAHundredSeeds) {
   // By the binomial distribution, 100 verifications at 1 % raise at most 4 alarms with a probability of 99.7 %.
-  // 2026-11-28: 0 of 100, and again 0 of 100 once walks from the light scattered in media; without the second run that
-  // confirms an accusation, 6 of 100.
+  // 2026-11-28: 0 of 100, each of three times, the last since rectangles are drawn by a warped area; without the second
+  // run that confirms an accusation, 6 of 100.
   transport::RenderSettings settings = defaults();
   settings.width = settings.height = 64;
   const int alarms = false_alarms(100, settings, report::VerdictOptions{}.significance);
