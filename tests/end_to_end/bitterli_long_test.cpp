@@ -1,11 +1,11 @@
 // Bitterli's scenes, the whole pictures at a quarter of their size: the mean colour within 2 % of the author's, and the
 // error that falls as one over the root of the samples where that takes long to see.
 //
-// Last result (2026-11-24), mean over reference of red, green and blue, and slope of the error:
-//   cornell-box    0.999 0.999 0.999 +- 0.001 (128x128, 32 samples per pixel, before this file)   slope: not yet run
-//   veach-mis      0.997 0.997 0.997 +- 0.005                                                     slope: not yet run
-//   veach-bidir    1.001 1.001 1.001 +- 0.003                                                     -0.533 +- 0.024
-//   water-caustic  0.999 1.000 1.001 +- 0.007 (2026-11-27)                                       -0.519 +- 0.039
+// Last result (2026-11-28), mean over reference of red, green and blue, and slope of the error:
+//   cornell-box    1.000 1.000 1.000 +- 0.0001   -0.490 +- 0.006
+//   veach-mis      0.998 0.998 0.998 +- 0.004    -0.491 +- 0.007
+//   veach-bidir    1.002 1.002 1.001 +- 0.002    -0.485 +- 0.012
+//   water-caustic  1.000 0.995 0.993 +- 0.007    -0.506 +- 0.024
 
 #include <iostream>
 
