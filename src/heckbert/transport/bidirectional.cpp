@@ -19,9 +19,22 @@ using taxonomy::WordTrie;
 
 namespace {
 
+/// From how many scatterings on roulette may end a walk.
+struct RouletteStarts {
+  int eye = kRouletteStart, light = kRouletteStart;
+};
+
+/// A path of many scatterings is found by many pairs of walks, so each of them may end sooner than one that is alone;
+/// but not at a Dirac, where nothing is joined (docs/performance.md, "Roulette on two walks"). With photons it was not
+/// measured.
+RouletteStarts roulette_starts(const World& world) {
+  return world.photons == nullptr ? RouletteStarts{.eye = 3, .light = 2} : RouletteStarts{};
+}
+
 class EyeWalk {
  public:
-  EyeWalk(const World& world, Walk& walk, const LightWalk& light) : world_(world), walk_(walk), light_(light) {}
+  EyeWalk(const World& world, Walk& walk, const LightWalk& light, int roulette_start)
+      : world_(world), walk_(walk), light_(light), roulette_start_(roulette_start) {}
 
   void trace(Ray ray) {
     WordTrie::Node node = walk_.sink.words().eye(world_.eye.kind());
@@ -72,12 +85,13 @@ class EyeWalk {
       throughput *= next.factor;
       radiance_scale *= next.radiance_scale;
       if (is_black(throughput)) return walk_.sink.end_path(PathEnd::Absorbed);
-      if (!survives(walk_.sampler, throughput, radiance_scale, depth + 1))
+      const bool is_delta = next.pdf_solid_angle == 0;
+      const float left = is_delta ? 1.0f : max_channel(next.factor) / next.radiance_scale;
+      if (!survives_from(roulette_start_, walk_.sampler, throughput, radiance_scale, left, depth + 1))
         return walk_.sink.end_path(PathEnd::Roulette);
       const Place place = at.place();
       node = walk_.step(node, next.event, place.label(world_.labels));
       const glm::vec3 onward = next.ray.direction;
-      const bool is_delta = next.pdf_solid_angle == 0;
       step = {.is_delta = is_delta,
               .is_from_particle = !hit,
               .pdf_solid_angle = static_cast<double>(next.pdf_solid_angle),
@@ -188,15 +202,17 @@ class EyeWalk {
   const World& world_;
   Walk& walk_;
   const LightWalk& light_;
+  int roulette_start_;
 };
 
 }  // namespace
 
 void trace_bidirectionally(const World& world, Walk& walk, Ray ray) {
+  const RouletteStarts starts = roulette_starts(world);
   Sampler sampler = walk.sampler.split();
-  const LightWalk light = walk_from_light(world, walk.rays, sampler, Particles::Scatter);
+  const LightWalk light = walk_from_light(world, walk.rays, sampler, Particles::Scatter, starts.light);
   splat(world, walk, light, sampler, Rivalry::All);
-  EyeWalk(world, walk, light).trace(ray);
+  EyeWalk(world, walk, light, starts.eye).trace(ray);
 }
 
 }  // namespace heckbert::transport

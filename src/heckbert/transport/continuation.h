@@ -15,7 +15,7 @@
 
 namespace heckbert::transport {
 
-/// Walks of fewer scatterings than this are never ended by roulette.
+/// Walks of fewer scatterings than this are not ended by roulette, unless by survives_from().
 inline constexpr int kRouletteStart = 4;
 inline constexpr float kHighestSurvival = 0.95f;
 
@@ -56,14 +56,26 @@ inline std::optional<Drawn> draw_lobe(const Vertex& vertex, Sampler& sampler) {
   return draw(vertex.selection, vertex.lobes().size(), 1.0f, vertex.has_choice ? sampler.next() : 0.0f);
 }
 
-/// Roulette for a walk that was scattered so often, by the energy it has left: radiance without its compression. What
-/// goes on makes up for what is ended.
-inline bool survives(Sampler& sampler, Rgb& throughput, float radiance_scale, int scatterings) {
-  if (scatterings < kRouletteStart) return true;
-  const float survival = std::min(kHighestSurvival, max_channel(throughput) / radiance_scale);
+/// Does the walk go on? Then it makes up for those that do not.
+inline bool survives(Sampler& sampler, Rgb& throughput, float energy) {
+  const float survival = std::min(kHighestSurvival, energy);
   if (sampler.next() >= survival) return false;
   throughput *= 1.0f / survival;
   return true;
+}
+
+/// Roulette for a walk that was scattered so often, by the energy it has left: radiance without its compression.
+inline bool survives(Sampler& sampler, Rgb& throughput, float radiance_scale, int scatterings) {
+  return scatterings < kRouletteStart || survives(sampler, throughput, max_channel(throughput) / radiance_scale);
+}
+
+/// Roulette that begins sooner, where a path is found by many walks: from `start` scatterings on by what the last one
+/// alone left of the energy, and from kRouletteStart on by all that is left. Takes: a start of at most that.
+inline bool survives_from(int start, Sampler& sampler, Rgb& throughput, float radiance_scale, float left_by_last,
+                          int scatterings) {
+  if (scatterings < start) return true;
+  if (scatterings < kRouletteStart) return left_by_last >= 1 || survives(sampler, throughput, left_by_last);
+  return survives(sampler, throughput, radiance_scale, scatterings);
 }
 
 inline Continuation follow_delta(const Vertex& vertex, Drawn lobe) {

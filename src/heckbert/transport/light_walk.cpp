@@ -5,8 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <heckbert/transport/continuation.h>
-
 namespace heckbert::transport {
 
 namespace {
@@ -236,7 +234,8 @@ float pdf_from_light(const Scene& scene, const Vertex& vertex, float index_in_fr
   return out.z == 0 ? 0.0f : from_light.pdf_solid_angle(out);
 }
 
-LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles) {
+LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles,
+                          int roulette_start) {
   LightWalk light{.start = world.emission.sample(sampler)};
   if (!light.start) return light;
   const Emitted& start = *light.start;
@@ -289,7 +288,9 @@ LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& samp
     const Onward onward = hit ? scatter_at_surface(world, at, sampler) : scatter_at_particle(world, at, sampler);
     if (is_black(onward.factor)) return light;
     reflected *= onward.factor;
-    if (!survives(sampler, reflected, 1, static_cast<int>(light.vertices.size()))) return light;
+    const auto scatterings = static_cast<int>(light.vertices.size());
+    const float left = onward.step.is_delta ? 1.0f : max_channel(onward.factor);
+    if (!survives_from(roulette_start, sampler, reflected, 1, left, scatterings)) return light;
     light.events.push_back(onward.event);
     if (onward.transmitted && world.has_bodies) bodies.cross(world.scene, hit->material, hit->front);
     step = onward.step;

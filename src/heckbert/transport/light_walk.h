@@ -38,6 +38,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <heckbert/transport/continuation.h>
 #include <heckbert/transport/emission.h>
 #include <heckbert/transport/place.h>
 #include <heckbert/transport/travel.h>
@@ -134,8 +135,9 @@ struct LightWalk {
 };
 
 /// Walks from a light until the light is absorbed, leaves, or has scattered so often that the path is full; ended by
-/// roulette as walks from the eye are. Counts its rays.
-LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles);
+/// roulette as survives_from() says. Counts its rays.
+LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& sampler, Particles particles,
+                          int roulette_start = kRouletteStart);
 
 /// Is it a particle, or has its surface a lobe without a Dirac, on whichever side?
 bool can_be_joined(const LightVertex& vertex);
