@@ -90,7 +90,7 @@ float Eye::pixels_along(glm::vec3 direction) const {
   return per_film / std::sqrt(std::max(1e-12f, 1.0f - sine * sine));
 }
 
-std::optional<Sight> Eye::sight_of(glm::vec3 point, glm::vec2 u) const {
+std::optional<Sight> Eye::sight_of(glm::vec3 point, Sampler& sampler) const {
   const glm::vec3 to_point = point - position_;
   if (projection_ == Projection::Orthographic) {
     const float depth = glm::dot(to_point, forward_);
@@ -98,13 +98,13 @@ std::optional<Sight> Eye::sight_of(glm::vec3 point, glm::vec2 u) const {
     const glm::vec2 film(glm::dot(to_point, right_), glm::dot(to_point, up_));
     return Sight{point - depth * forward_, forward_, place_of(film), pixels_along(forward_)};
   }
-  const glm::vec3 lens = has_lens() ? lens_point(u) : position_;
+  const glm::vec3 lens = seen_from(sampler);
   return point == lens ? std::nullopt : sight(lens, glm::normalize(point - lens));
 }
 
-std::optional<Sight> Eye::sight_along(glm::vec3 direction, glm::vec2 u) const {
+std::optional<Sight> Eye::sight_along(glm::vec3 direction, Sampler& sampler) const {
   if (projection_ == Projection::Orthographic) return std::nullopt;
-  return sight(has_lens() ? lens_point(u) : position_, direction);
+  return sight(seen_from(sampler), direction);
 }
 
 std::optional<Sight> Eye::sight_met_by(const Ray& ray, float farthest) const {

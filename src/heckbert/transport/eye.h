@@ -40,22 +40,25 @@ class Eye {
   bool is_parallel() const { return projection_ == Projection::Orthographic; }
   glm::vec3 position() const { return position_; }
 
-  /// To a point of the scene, through a point of the lens drawn by `u`. Nothing when the eye looks away from it.
-  std::optional<Sight> sight_of(glm::vec3 point, glm::vec2 u) const;
+  /// To a point of the scene, through a point of the lens, if there is one. Nothing when the eye looks away from it.
+  std::optional<Sight> sight_of(glm::vec3 point, Sampler& sampler) const;
   /// To infinity. Nothing also when all rays are parallel: they see one direction, and no other.
-  std::optional<Sight> sight_along(glm::vec3 direction, glm::vec2 u) const;
+  std::optional<Sight> sight_along(glm::vec3 direction, Sampler& sampler) const;
   /// Where a ray from the scene meets the lens, at most so far away.
   std::optional<Sight> sight_met_by(const Ray& ray, float farthest) const;
   /// Sight::pixels of a primary ray.
   float pixels_along(glm::vec3 direction) const;
   /// Of a direction, with the lens's or picture's axis.
   float cosine(glm::vec3 direction) const;
-  /// See FilterSampler::pixel_at.
-  std::optional<PixelShare> pixel_at(glm::vec2 place, glm::vec2 u) const { return filter_.pixel_at(place, u); }
+  /// See FilterSampler::pixel_at. Draws no numbers where there is nothing to choose, and nor do the two above.
+  std::optional<PixelShare> pixel_at(glm::vec2 place, Sampler& sampler) const {
+    return filter_.pixel_at(place, filter_.overlaps() ? sampler.next2() : glm::vec2(0));
+  }
 
  private:
   Ray through_lens(glm::vec2 film, Sampler& sampler) const;
   glm::vec3 lens_point(glm::vec2 u) const;
+  glm::vec3 seen_from(Sampler& sampler) const { return has_lens() ? lens_point(sampler.next2()) : position_; }
   glm::vec2 place_of(glm::vec2 film) const { return (film - corner_) / pixel_; }
   std::optional<Sight> sight(glm::vec3 lens, glm::vec3 direction) const;
 

@@ -61,7 +61,7 @@ FilterSampler::AxisShare FilterSampler::pixel_on_axis(float place, float u) cons
   if (!(std::abs(place) < kFarOutside)) return {};
   const float radius = filter_.radius;
   // The usual case, without doubt about where one pixel ends and the next begins.
-  if (filter_.kind == FilterKind::Box && radius == 0.5f) return {static_cast<int>(std::floor(place)), 1};
+  if (!overlaps()) return {static_cast<int>(std::floor(place)), 1};
   const int first = static_cast<int>(std::ceil(place - 0.5f - radius));
   const int last = static_cast<int>(std::floor(place - 0.5f + radius));
   const auto value = [&](int pixel) { return density(place - 0.5f - static_cast<float>(pixel)); };

@@ -46,6 +46,8 @@ class FilterSampler {
   /// The other way round: one of the pixels whose filters reach the point `place`, drawn by their values there.
   /// Nothing where none does. In pixels from the upper left corner; pixel (0, 0) has its centre at (0.5, 0.5).
   std::optional<PixelShare> pixel_at(glm::vec2 place, glm::vec2 u) const;
+  /// Does `u` make a difference to pixel_at()? Not where every point of the picture is of one pixel.
+  bool overlaps() const { return filter_.kind != FilterKind::Box || filter_.radius != 0.5f; }
 
  private:
   float sample_axis(float u) const;

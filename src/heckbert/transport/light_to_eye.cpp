@@ -97,14 +97,14 @@ class Splatting {
 
  private:
   std::optional<PixelShare> pixel_at(const Sight& sight) {
-    const std::optional<PixelShare> pixel = world_.eye.pixel_at(sight.place, sampler_.next2());
+    const std::optional<PixelShare> pixel = world_.eye.pixel_at(sight.place, sampler_);
     const record::Window& w = world_.window;
     if (!pixel || pixel->x < w.x0 || pixel->x >= w.x1 || pixel->y < w.y0 || pixel->y >= w.y1) return std::nullopt;
     return pixel;
   }
 
   std::optional<Seen> see(glm::vec3 point) {
-    const std::optional<Sight> sight = world_.eye.sight_of(point, sampler_.next2());
+    const std::optional<Sight> sight = world_.eye.sight_of(point, sampler_);
     if (!sight) return std::nullopt;
     const std::optional<PixelShare> pixel = pixel_at(*sight);
     if (!pixel) return std::nullopt;
@@ -116,7 +116,7 @@ class Splatting {
   /// Light from infinitely far away, seen directly.
   void sky() {
     const Emitted& start = *light_.start;
-    const std::optional<Sight> sight = world_.eye.sight_along(-start.ray.direction, sampler_.next2());
+    const std::optional<Sight> sight = world_.eye.sight_along(-start.ray.direction, sampler_);
     if (!sight) return;
     const std::optional<PixelShare> pixel = pixel_at(*sight);
     if (!pixel) return;
