@@ -90,48 +90,48 @@ float Eye::pixels_along(glm::vec3 direction) const {
   return per_film / std::sqrt(std::max(1e-12f, 1.0f - sine * sine));
 }
 
-std::optional<Sight> Eye::sight_of(glm::vec3 point, Sampler& sampler) const {
+Sight Eye::sight_of(glm::vec3 point, Sampler& sampler) const {
   const glm::vec3 to_point = point - position_;
   if (projection_ == Projection::Orthographic) {
     const float depth = glm::dot(to_point, forward_);
-    if (!(depth > 0)) return std::nullopt;
+    if (!(depth > 0)) return {};
     const glm::vec2 film(glm::dot(to_point, right_), glm::dot(to_point, up_));
-    return Sight{point - depth * forward_, forward_, place_of(film), pixels_along(forward_)};
+    return {point - depth * forward_, forward_, place_of(film), pixels_along(forward_)};
   }
   const glm::vec3 lens = seen_from(sampler);
-  return point == lens ? std::nullopt : sight(lens, glm::normalize(point - lens));
+  return point == lens ? Sight{} : sight(lens, glm::normalize(point - lens));
 }
 
-std::optional<Sight> Eye::sight_along(glm::vec3 direction, Sampler& sampler) const {
-  if (projection_ == Projection::Orthographic) return std::nullopt;
+Sight Eye::sight_along(glm::vec3 direction, Sampler& sampler) const {
+  if (projection_ == Projection::Orthographic) return {};
   return sight(seen_from(sampler), direction);
 }
 
-std::optional<Sight> Eye::sight_met_by(const Ray& ray, float farthest) const {
-  if (!has_lens()) return std::nullopt;
+Sight Eye::sight_met_by(const Ray& ray, float farthest) const {
+  if (!has_lens()) return {};
   const float approach = glm::dot(ray.direction, forward_);
-  if (!(approach < 0)) return std::nullopt;
+  if (!(approach < 0)) return {};
   const float distance = glm::dot(position_ - ray.origin, forward_) / approach;
-  if (!(distance > 0 && distance < farthest)) return std::nullopt;
+  if (!(distance > 0 && distance < farthest)) return {};
   const glm::vec3 lens = ray.origin + distance * ray.direction;
-  if (!(glm::distance(lens, position_) < lens_radius_)) return std::nullopt;
+  if (!(glm::distance(lens, position_) < lens_radius_)) return {};
   return sight(lens, -ray.direction);
 }
 
-std::optional<Sight> Eye::sight(glm::vec3 lens, glm::vec3 direction) const {
+Sight Eye::sight(glm::vec3 lens, glm::vec3 direction) const {
   const float depth = glm::dot(direction, forward_), x = glm::dot(direction, right_), y = glm::dot(direction, up_);
   if (projection_ == Projection::Panoramic) {
     const glm::vec2 film(std::atan2(x, depth), std::asin(std::clamp(y, -1.0f, 1.0f)));
-    return Sight{lens, direction, place_of(film), pixels_along(direction)};
+    return {lens, direction, place_of(film), pixels_along(direction)};
   }
-  if (!(depth > 0)) return std::nullopt;
+  if (!(depth > 0)) return {};
   glm::vec2 film = glm::vec2(x, y) / depth;
   // Rays through one point of the picture meet in the plane that is in focus.
   if (has_lens()) {
     const glm::vec3 off_axis = lens - position_;
     film += glm::vec2(glm::dot(off_axis, right_), glm::dot(off_axis, up_)) / focus_distance_;
   }
-  return Sight{lens, direction, place_of(film), pixels_along(direction)};
+  return {lens, direction, place_of(film), pixels_along(direction)};
 }
 
 }  // namespace heckbert::transport

@@ -4,8 +4,6 @@
 // counted in pixels per steradian at the eye, or, where all rays are parallel, per area; for a pinhole this is Veach's
 // importance W_e times the cosine (Veach 1997, 8.2; pbrt-v3, 16.1.1).
 
-#include <optional>
-
 #include <glm/vec2.hpp>
 
 #include <heckbert/taxonomy/symbol.h>
@@ -16,12 +14,14 @@
 
 namespace heckbert::transport {
 
-/// A line of sight, and where in the picture it shows.
+/// A line of sight, and where in the picture it shows. No std::optional: copies of those wait (docs/performance.md).
 struct Sight {
   glm::vec3 from{0};       ///< on the lens; of a parallel eye, in its plane
   glm::vec3 direction{0};  ///< unit, into the scene
   glm::vec2 place{0};      ///< in pixels from the picture's upper left corner, wherever it falls
-  float pixels = 0;        ///< per steradian; of a parallel eye, per area that faces it
+  float pixels = 0;        ///< per steradian; of a parallel eye, per area that faces it; 0: nothing is seen
+
+  bool is_seen() const { return pixels > 0; }
 };
 
 class Eye {
@@ -40,18 +40,18 @@ class Eye {
   bool is_parallel() const { return projection_ == Projection::Orthographic; }
   glm::vec3 position() const { return position_; }
 
-  /// To a point of the scene, through a point of the lens, if there is one. Nothing when the eye looks away from it.
-  std::optional<Sight> sight_of(glm::vec3 point, Sampler& sampler) const;
-  /// To infinity. Nothing also when all rays are parallel: they see one direction, and no other.
-  std::optional<Sight> sight_along(glm::vec3 direction, Sampler& sampler) const;
+  /// To a point of the scene, through a point of the lens, if there is one. Not seen when the eye looks away from it.
+  Sight sight_of(glm::vec3 point, Sampler& sampler) const;
+  /// To infinity. Not seen also when all rays are parallel: they see one direction, and no other.
+  Sight sight_along(glm::vec3 direction, Sampler& sampler) const;
   /// Where a ray from the scene meets the lens, at most so far away.
-  std::optional<Sight> sight_met_by(const Ray& ray, float farthest) const;
+  Sight sight_met_by(const Ray& ray, float farthest) const;
   /// Sight::pixels of a primary ray.
   float pixels_along(glm::vec3 direction) const;
   /// Of a direction, with the lens's or picture's axis.
   float cosine(glm::vec3 direction) const;
   /// See FilterSampler::pixel_at. Draws no numbers where there is nothing to choose, and nor do the two above.
-  std::optional<PixelShare> pixel_at(glm::vec2 place, Sampler& sampler) const {
+  PixelShare pixel_at(glm::vec2 place, Sampler& sampler) const {
     return filter_.pixel_at(place, filter_.overlaps() ? sampler.next2() : glm::vec2(0));
   }
 
@@ -60,7 +60,7 @@ class Eye {
   glm::vec3 lens_point(glm::vec2 u) const;
   glm::vec3 seen_from(Sampler& sampler) const { return has_lens() ? lens_point(sampler.next2()) : position_; }
   glm::vec2 place_of(glm::vec2 film) const { return (film - corner_) / pixel_; }
-  std::optional<Sight> sight(glm::vec3 lens, glm::vec3 direction) const;
+  Sight sight(glm::vec3 lens, glm::vec3 direction) const;
 
   Projection projection_;
   FilterSampler filter_;

@@ -50,10 +50,9 @@ FilterSampler::FilterSampler(const PixelFilter& filter) : filter_(filter) {
   integral_ = static_cast<float>(sum * 2 * static_cast<double>(filter.radius) / kSteps);
 }
 
-std::optional<PixelShare> FilterSampler::pixel_at(glm::vec2 place, glm::vec2 u) const {
+PixelShare FilterSampler::pixel_at(glm::vec2 place, glm::vec2 u) const {
   const AxisShare x = pixel_on_axis(place.x, u.x), y = pixel_on_axis(place.y, u.y);
-  if (!(x.weight * y.weight > 0)) return std::nullopt;
-  return PixelShare{x.pixel, y.pixel, x.weight * y.weight};
+  return {x.pixel, y.pixel, x.weight * y.weight};
 }
 
 FilterSampler::AxisShare FilterSampler::pixel_on_axis(float place, float u) const {

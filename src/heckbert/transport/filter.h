@@ -5,7 +5,6 @@
 // pixels whose filters reach the point where it arrives, drawn by their values there.
 
 #include <array>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -35,7 +34,7 @@ double filter_value(const PixelFilter& filter, double distance);
 /// A pixel to which a point of the picture belongs.
 struct PixelShare {
   int x = 0, y = 0;
-  float weight = 1;  ///< the filter's, over the chance that this pixel was drawn
+  float weight = 0;  ///< the filter's, over the chance that this pixel was drawn; 0: no pixel's filter reaches there
 };
 
 class FilterSampler {
@@ -44,8 +43,8 @@ class FilterSampler {
   /// A point of the picture relative to the pixel's centre, in pixels.
   glm::vec2 sample(glm::vec2 u) const { return {sample_axis(u.x), sample_axis(u.y)}; }
   /// The other way round: one of the pixels whose filters reach the point `place`, drawn by their values there.
-  /// Nothing where none does. In pixels from the upper left corner; pixel (0, 0) has its centre at (0.5, 0.5).
-  std::optional<PixelShare> pixel_at(glm::vec2 place, glm::vec2 u) const;
+  /// In pixels from the upper left corner; pixel (0, 0) has its centre at (0.5, 0.5).
+  PixelShare pixel_at(glm::vec2 place, glm::vec2 u) const;
   /// Does `u` make a difference to pixel_at()? Not where every point of the picture is of one pixel.
   bool overlaps() const { return filter_.kind != FilterKind::Box || filter_.radius != 0.5f; }
 

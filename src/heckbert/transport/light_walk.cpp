@@ -224,10 +224,7 @@ float pdf_to_eye(const LightVertex& at, glm::vec3 to_eye) {
 
 float pdf_from_light(const Scene& scene, const Vertex& vertex, float index_in_front, glm::vec3 to_light,
                      glm::vec3 to_eye) {
-  if (const glm::vec3 from = vertex.as_seen_from(to_light); from.z > 0) {
-    const glm::vec3 out = vertex.local(to_eye);
-    return out.z == 0 ? 0.0f : vertex.pdf_solid_angle(from, out);
-  }
+  if (const glm::vec3 from = vertex.as_seen_from(to_light); from.z > 0) return vertex.pdf_solid_angle(from, vertex.wo);
   const Hit seen = seen_from(vertex.hit, to_light);
   const Vertex from_light(scene, seen, -to_light, index_in_front);
   const glm::vec3 out = from_light.local(to_eye);
@@ -267,12 +264,12 @@ LightWalk walk_from_light(const World& world, std::uint64_t& rays, Sampler& samp
     const glm::vec3 position = hit ? hit->position : ray.origin;
     const float farthest =
         hit || scattered ? glm::distance(position, edge.origin) : std::numeric_limits<float>::infinity();
-    if (const std::optional<Sight> sight = world.eye.sight_met_by(edge, farthest)) {
+    if (const Sight sight = world.eye.sight_met_by(edge, farthest); sight.is_seen()) {
       Passage to_lens;
       if (world.has_bodies)
-        to_lens = from_infinity ? passage_to_infinity(world, rays, world.bodies_at_eye, {sight->from, sight->direction})
-                                : passage_between(world, rays, around, edge.origin, sight->from);
-      come_through_lens(*sight, edge.origin, to_lens, sent);
+        to_lens = from_infinity ? passage_to_infinity(world, rays, world.bodies_at_eye, {sight.from, sight.direction})
+                                : passage_between(world, rays, around, edge.origin, sight.from);
+      come_through_lens(sight, edge.origin, to_lens, sent);
     }
     if (!(hit || scattered) || light.vertices.size() == static_cast<std::size_t>(world.max_depth)) return light;
     const float facing = hit ? cosine(*hit, ray.direction) : passage.rate_end;
