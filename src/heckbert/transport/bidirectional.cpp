@@ -28,7 +28,7 @@ struct RouletteStarts {
 /// but not at a Dirac, where nothing is joined (docs/performance.md, "Roulette on two walks"). With photons it was not
 /// measured.
 RouletteStarts roulette_starts(const World& world) {
-  return world.photons == nullptr ? RouletteStarts{.eye = 3, .light = 2} : RouletteStarts{};
+  return world.photons == nullptr ? RouletteStarts{.eye = 3, .light = 1} : RouletteStarts{};
 }
 
 class EyeWalk {
