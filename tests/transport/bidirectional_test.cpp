@@ -170,7 +170,7 @@ void expect_allowed_techniques(const Scene& empty, const std::vector<std::string
       const bool is_rare = scene.camera.lens_radius > 0 && (scene.environment.r > 0 || !scene.distant_lights.empty());
       // And few walks from parallel rays run into a lamp: 1.5 of 384 as LSSSSSE.
       const bool is_parallel = scene.camera.projection == Projection::Orthographic;
-      const int samples = is_rare ? 4096 : is_parallel ? 2048 : scene.camera.lens_radius > 0 ? 768 : 384;
+      const int samples = is_rare ? 8192 : is_parallel ? 2048 : scene.camera.lens_radius > 0 ? 768 : 384;
       const Techniques found = techniques_of(scene, {.algorithm = AlgorithmId::Bidirectional,
                                                      .width = 16,
                                                      .height = 12,
