@@ -20,6 +20,7 @@
 #include <heckbert/taxonomy/error.h>
 #include <heckbert/transport/emitter.h>
 #include <heckbert/transport/frame.h>
+#include <heckbert/transport/large_pages.h>
 #include <heckbert/transport/texture.h>
 #include <heckbert/transport/tracer.h>
 
@@ -46,6 +47,8 @@ struct alignas(64) Face {
   float size = 0;    ///< largest offset along an edge
   std::uint32_t material = 0;
 };
+
+using Faces = std::vector<Face, LargePages<Face>>;
 
 /// A placed shape: what the shading of a hit needs, found by instance and geometry id.
 struct Placed {
@@ -74,7 +77,7 @@ struct Tracer::Impl {
   Device device;
   EmbreeScene scene;
   std::vector<EmbreeScene> group_scenes;
-  std::map<const Shape*, std::vector<Face>> faces;  ///< of the meshes
+  std::map<const Shape*, Faces> faces;  ///< of the meshes
   std::vector<Placed> placed;
   std::vector<std::uint32_t> first_of_instance;  ///< of the top-level geometry id: where its shapes begin in `placed`
   std::uint32_t top_level_shapes = 0;
@@ -205,9 +208,9 @@ std::uint32_t face_material(const Shape& shape, std::size_t triangle) {
   return mesh.face_materials.empty() ? shape.material : mesh.face_materials[triangle];
 }
 
-std::vector<Face> faces_of(const Shape& shape) {
+Faces faces_of(const Shape& shape) {
   const auto& mesh = std::get<Mesh>(shape.geometry);
-  std::vector<Face> faces(mesh.triangles.size());
+  Faces faces(mesh.triangles.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const glm::uvec3& t = mesh.triangles[i];
     Face& face = faces[i];
