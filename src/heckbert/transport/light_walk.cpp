@@ -61,14 +61,9 @@ Onward scatter_at_particle(const World& world, const LightVertex& at, Sampler& s
 /// Normals nearer than this are one, and were only rounded differently.
 constexpr float kSameNormal = 1e-4f;
 
-bool has_one_normal(const Vertex& vertex) {
-  const Hit& hit = vertex.hit;
-  return hit.normal_shading == hit.normal_geometric && !(hit.has_coordinates && vertex.material->normal_map);
-}
-
 /// Is the vertex shaded with the same normal when it is seen from the other side of the event?
 bool is_shaded_alike(const Scene& scene, const Vertex& vertex, glm::vec3 other_side) {
-  if (has_one_normal(vertex)) return true;
+  if (vertex.has_one_normal()) return true;
   const Hit seen = seen_from(vertex.hit, other_side);
   const Vertex other(scene, seen, -other_side);
   const glm::vec3 normal = seen.front == vertex.hit.front ? other.frame.n : -other.frame.n;
@@ -96,7 +91,7 @@ DiracEvent follow_dirac(const Scene& scene, const Vertex& vertex, const Drawn& d
 /// Dirac each normal has a way of its own: the light goes on by any way that a walk from the eye would come.
 DiracEvent draw_dirac(const Scene& scene, const LightVertex& at, const Drawn& drawn, float cos_light,
                       Sampler& sampler) {
-  if (has_one_normal(*at.surface)) return follow_dirac(scene, *at.surface, drawn, cos_light);
+  if (at.surface->has_one_normal()) return follow_dirac(scene, *at.surface, drawn, cos_light);
   const Hit& hit = at.hit;
   std::array<glm::vec3, 3> normals{hit.normal_shading, hit.normal_geometric};
   std::size_t number = 2;

@@ -137,18 +137,20 @@ struct Vertex {
   /// The wo that a walk from that side, `to_walk` being unit, would have given this vertex. Its z is 0 when such a walk
   /// would have made another vertex: on the other side of the surface, or shaded with another normal.
   glm::vec3 as_seen_from(glm::vec3 to_walk) const;
+  /// From wherever it is seen, it is shaded with the same normal.
+  bool has_one_normal() const { return normal_ == Normal::Only; }
   /// A world direction as this vertex may use it: local, with a z of 0 when the shading and the geometric normal
   /// disagree about its side.
   glm::vec3 local(glm::vec3 world) const {
     glm::vec3 wi = frame.to_local(world);
-    if (normal_ == Normal::Only) return wi;
+    if (has_one_normal()) return wi;
     const bool same_side = (glm::dot(world, hit.normal_geometric) > 0) == hit.front;
     if ((wi.z > 0) != same_side) wi.z = 0;
     return wi;
   }
   /// The same of a direction that is local already.
   glm::vec3 usable(glm::vec3 local_direction) const {
-    return normal_ == Normal::Only ? local_direction : local(frame.to_world(local_direction));
+    return has_one_normal() ? local_direction : local(frame.to_world(local_direction));
   }
   /// The ray that goes on; `transmitted` says on which side.
   Ray leave(glm::vec3 wi, bool transmitted) const {
