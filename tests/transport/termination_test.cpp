@@ -125,5 +125,26 @@ TEST(Roulette, BeginsSoonerWhereTwoWalksAreJoined) {
   }
 }
 
+/// The same of the walk from the light, whose first scattering may end it: of its vertices, which lie alike all over
+/// the box, the eye sees half as many second as first ones. Both counts are nearly Poisson's; 1 % for the two rows.
+TEST(Roulette, BeginsAtTheFirstScatteringOfAJoinedWalkFromTheLight) {
+  const struct {
+    AlgorithmId algorithm;
+    double share;
+  } rows[] = {{AlgorithmId::Light, 1}, {AlgorithmId::Bidirectional, 0.5}};
+  for (const auto& [algorithm, share] : rows) {
+    double first = 0, second = 0;
+    for (const record::TechniqueSum& sum : measure_techniques(
+             furnace(0.5f, 0),
+             {.algorithm = algorithm, .width = 32, .height = 32, .samples_per_pixel = 64, .max_depth = 3})) {
+      if (sum.technique.eye_vertices(sum.word.length()) != 1) continue;
+      if (sum.word.length() == 1) first += static_cast<double>(sum.count);
+      if (sum.word.length() == 2) second += static_cast<double>(sum.count);
+    }
+    ASSERT_GT(first, 1000) << facts(algorithm).name;
+    EXPECT_NEAR(second, share * first, 2.81 * std::sqrt(second + share * share * first)) << facts(algorithm).name;
+  }
+}
+
 }  // namespace
 }  // namespace heckbert::transport
